@@ -1,0 +1,1 @@
+//! Baker: a scene description becomes a `.fxl` blob for flash.

@@ -1,0 +1,2 @@
+//! The `fixel` command.
+fn main() {}
