@@ -1,1 +1,33 @@
-//! f64 reference renderer.
+//! The f64 truth that fixel's pictures are held against.
+//!
+//! [`render`] finds, for the centre of each pixel, the nearest surface by
+//! casting a ray at the original, unsnapped triangles, all in double
+//! precision. [`compare`] measures a [`Frame`] from the renderer under test
+//! against that [`Truth`]. Nothing here shares arithmetic with the fixed-point
+//! core: not the matrices, not the fill rule, not the light.
+//!
+//! In: a [`fixel_scene::Scene`] and a [`Frame`] of plain arrays. Out: a
+//! [`Truth`], a [`Report`] and [`heatmap`]s. Used by the command line and by
+//! the accuracy tests.
+
+mod bvh;
+mod compare;
+mod frame;
+mod geometry;
+pub mod heatmap;
+mod light;
+mod metric;
+mod model;
+mod ray;
+mod render;
+mod report;
+mod truth;
+mod view;
+
+pub use compare::compare;
+pub use frame::{Frame, FrameError, Lookup, NO_TRIANGLE};
+pub use model::actor_matrix;
+pub use render::{Options, render};
+pub use report::{Mismatch, MismatchKind, PSNR_IDENTICAL_DB, Report};
+pub use truth::{Hit, Truth};
+pub use view::View;

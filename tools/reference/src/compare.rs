@@ -1,0 +1,142 @@
+//! A frame against the truth.
+
+use crate::frame::{Frame, FrameError};
+use crate::metric::{Differences, Psnr, percent};
+use crate::report::{Mismatch, MismatchKind, Report};
+use crate::truth::Truth;
+
+/// How many mismatching pixels a report names.
+const LISTED: usize = 20;
+
+/// Two surfaces closer than this in depth are a tie: either may be seen.
+const TIE_LSB: f64 = 1.0;
+
+/// Measures `frame` against `truth`. [`Report`] defines every figure.
+///
+/// # Errors
+/// If the two differ in size, or the frame's arrays do not fit together.
+pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
+    frame.check(truth, truth.materials)?;
+    let (mut depth, mut level) = (Differences::default(), Differences::default());
+    let (mut missing_or_extra, mut visible, mut union, mut equal) = (0, 0, 0, 0);
+    let mut mismatches = Vec::new();
+    let through_palette = frame.lookup.indices(truth);
+    for (i, reference_index) in through_palette.iter().enumerate() {
+        let seen = Pixel::of(truth, frame, i);
+        if seen != Pixel::Nothing {
+            union += 1;
+            equal += usize::from(frame.index[i] == *reference_index);
+        }
+        let kind = match seen {
+            Pixel::Nothing | Pixel::Tie => None,
+            Pixel::Same => {
+                if let Some(hit) = &truth.pixels[i] {
+                    depth.add(i, f64::from(frame.depth[i]) - hit.depth_lsb, 1.0);
+                    level.add(i, f64::from(frame.level[i]) - hit.level, 2.0);
+                }
+                None
+            }
+            Pixel::Mismatch(kind) => Some(kind),
+        };
+        if let Some(kind) = kind {
+            *(if kind == MismatchKind::Visible {
+                &mut visible
+            } else {
+                &mut missing_or_extra
+            }) += 1;
+            if mismatches.len() < LISTED {
+                mismatches.push(mismatch(truth, frame, i, kind));
+            }
+        }
+    }
+    let (mut quantised, mut all, mut covered) = (Psnr::default(), Psnr::default(), Psnr::default());
+    for (i, colour) in truth.colours().enumerate() {
+        let shown = frame.rgb[i].map(f64::from);
+        quantised.add(
+            shown,
+            frame.lookup.palette[usize::from(through_palette[i])].map(f64::from),
+        );
+        let colour = colour.map(|c| 255.0 * c);
+        all.add(shown, colour);
+        if truth.pixels[i].is_some() {
+            covered.add(shown, colour);
+        }
+    }
+    let at = |i: usize| [i as u32 % truth.width, i as u32 / truth.width];
+    let covered_px = truth.covered_px();
+    Ok(Report {
+        width: truth.width,
+        height: truth.height,
+        covered_px,
+        coverage_mismatch_px: missing_or_extra,
+        depth_max_lsb: depth.max,
+        depth_mean_lsb: depth.mean(),
+        visible_mismatch_px: visible,
+        level_max: level.max,
+        level_mean: level.mean(),
+        rgb_psnr_db: quantised.db(),
+        rgb_psnr_true_db: all.db(),
+        index_equal_percent: percent(equal, union),
+        agreeing_px: depth.count,
+        coverage_mismatch_percent: 100.0 * missing_or_extra as f64 / covered_px.max(1) as f64,
+        depth_within_1_percent: percent(depth.within, depth.count),
+        level_within_2_percent: percent(level.within, level.count),
+        rgb_psnr_true_covered_db: covered.db(),
+        depth_max_at: depth.max_at.map(at),
+        level_max_at: level.max_at.map(at),
+        mismatches,
+    })
+}
+
+/// What the two show at one pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Pixel {
+    /// Background in both.
+    Nothing,
+    /// The same triangle of the same actor.
+    Same,
+    /// Different triangles that are equally near.
+    Tie,
+    /// Not the same.
+    Mismatch(MismatchKind),
+}
+
+impl Pixel {
+    /// Of pixel number `i`.
+    pub fn of(truth: &Truth, frame: &Frame, i: usize) -> Self {
+        match (&truth.pixels[i], frame_surface(frame, i)) {
+            (None, None) => Self::Nothing,
+            (Some(_), None) => Self::Mismatch(MismatchKind::Missing),
+            (None, Some(_)) => Self::Mismatch(MismatchKind::Extra),
+            (Some(hit), Some([actor, triangle])) => {
+                if [hit.actor, hit.triangle] == [actor, triangle] {
+                    return Self::Same;
+                }
+                let (x, y) = (i as u32 % truth.width, i as u32 / truth.width);
+                match truth.depth_of_lsb(actor, triangle, x, y) {
+                    Some(depth) if hit.depth_lsb - depth <= TIE_LSB => Self::Tie,
+                    _ => Self::Mismatch(MismatchKind::Visible),
+                }
+            }
+        }
+    }
+}
+
+/// The frame's actor and triangle index at a pixel.
+fn frame_surface(frame: &Frame, i: usize) -> Option<[usize; 2]> {
+    let actor = usize::from(frame.actor[i]).checked_sub(1)?;
+    Some([actor, frame.triangle[i] as usize])
+}
+
+fn mismatch(truth: &Truth, frame: &Frame, i: usize, kind: MismatchKind) -> Mismatch {
+    let hit = truth.pixels[i].as_ref();
+    Mismatch {
+        x: i as u32 % truth.width,
+        y: i as u32 / truth.width,
+        kind,
+        truth: hit.map(|hit| [hit.actor, hit.triangle]),
+        frame: frame_surface(frame, i),
+        truth_depth_lsb: hit.map_or(0.0, |hit| hit.depth_lsb),
+        frame_depth_lsb: frame.depth[i],
+    }
+}

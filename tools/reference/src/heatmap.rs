@@ -1,0 +1,88 @@
+//! Pictures of where a frame differs from the truth: 8 bits a channel, by
+//! rows from the top left, as large as the frame.
+
+use crate::compare::Pixel;
+use crate::frame::{Frame, FrameError};
+use crate::report::MismatchKind;
+use crate::truth::Truth;
+
+/// Background in both, or pixels that the map does not judge.
+const NEUTRAL: [u8; 3] = [24, 24, 28];
+/// The same surface in both.
+const AGREE: [u8; 3] = [70, 70, 76];
+/// Equally near surfaces.
+const TIE: [u8; 3] = [60, 90, 160];
+/// A surface in the truth only.
+const MISSING: [u8; 3] = [255, 60, 40];
+/// A surface in the frame only.
+const EXTRA: [u8; 3] = [255, 0, 255];
+/// Another triangle.
+const VISIBLE: [u8; 3] = [255, 210, 0];
+
+/// The four maps of a comparison.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct HeatMaps {
+    /// Which surface is seen: grey where the same, blue at ties in depth, red
+    /// where the frame lacks a surface, magenta where it has one too many,
+    /// yellow where it shows another triangle.
+    pub coverage: Vec<[u8; 3]>,
+    /// Depth difference on agreeing pixels, 0..=4 units from black over red
+    /// and yellow to white.
+    pub depth: Vec<[u8; 3]>,
+    /// Level difference on agreeing pixels, 0..=8 of 255.
+    pub level: Vec<[u8; 3]>,
+    /// Greatest difference of a colour channel against the unquantised truth,
+    /// everywhere, 0..=32 of 255.
+    pub colour: Vec<[u8; 3]>,
+}
+
+/// Draws all four maps.
+///
+/// # Errors
+/// As [`crate::compare`].
+pub fn draw(truth: &Truth, frame: &Frame) -> Result<HeatMaps, FrameError> {
+    frame.check(truth, truth.materials)?;
+    let pixels: Vec<Pixel> = (0..truth.pixels.len())
+        .map(|i| Pixel::of(truth, frame, i))
+        .collect();
+    let agreeing = |difference: &dyn Fn(usize, &crate::Hit) -> f64, full: f64| {
+        let heat_at = |(i, pixel): (usize, &Pixel)| match (pixel, &truth.pixels[i]) {
+            (Pixel::Same, Some(hit)) => heat(difference(i, hit).abs() / full),
+            _ => NEUTRAL,
+        };
+        pixels.iter().enumerate().map(heat_at).collect()
+    };
+    let colour = truth.colours().zip(&frame.rgb).map(|(truth, shown)| {
+        let channel = |(t, s): (f64, &u8)| (255.0 * t - f64::from(*s)).abs();
+        heat(
+            truth
+                .into_iter()
+                .zip(shown)
+                .map(channel)
+                .fold(0.0, f64::max)
+                / 32.0,
+        )
+    });
+    Ok(HeatMaps {
+        coverage: pixels.iter().map(coverage).collect(),
+        depth: agreeing(&|i, hit| f64::from(frame.depth[i]) - hit.depth_lsb, 4.0),
+        level: agreeing(&|i, hit| f64::from(frame.level[i]) - hit.level, 8.0),
+        colour: colour.collect(),
+    })
+}
+
+fn coverage(pixel: &Pixel) -> [u8; 3] {
+    match pixel {
+        Pixel::Nothing => NEUTRAL,
+        Pixel::Same => AGREE,
+        Pixel::Tie => TIE,
+        Pixel::Mismatch(MismatchKind::Missing) => MISSING,
+        Pixel::Mismatch(MismatchKind::Extra) => EXTRA,
+        Pixel::Mismatch(MismatchKind::Visible) => VISIBLE,
+    }
+}
+
+/// Black, red, yellow, white over 0..=1.
+fn heat(t: f64) -> [u8; 3] {
+    [0.0, 1.0, 2.0].map(|third| ((3.0 * t - third).clamp(0.0, 1.0) * 255.0).round() as u8)
+}

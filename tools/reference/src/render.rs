@@ -1,0 +1,135 @@
+//! The scene to the truth, pixel by pixel.
+
+use crate::bvh::Bvh;
+use crate::geometry::{Face, Geometry};
+use crate::light::Lit;
+use crate::ray::{Meeting, Ray};
+use crate::truth::{Hit, Truth};
+use crate::view::View;
+use fixel_scene::{Background, Rgb, Scene};
+use rayon::prelude::*;
+
+/// How to render.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Width in pixels, at least 1.
+    pub width: u32,
+    /// Height in pixels, at least 1.
+    pub height: u32,
+    /// The animation's frame.
+    pub frame: u32,
+}
+
+/// Distances that differ relatively by no more than this are the same surface
+/// twice (coplanar triangles); the one earlier in the scene is seen.
+const COPLANAR: f64 = 1e-12;
+
+/// Finds the nearest surface at every pixel's centre (at `x + 0.5, y + 0.5`,
+/// `y` down; a centre exactly on an edge follows the top-left rule).
+pub fn render(scene: &Scene, options: Options) -> Truth {
+    let Options {
+        width,
+        height,
+        frame,
+    } = options;
+    let view = View::new(&scene.camera, width, height);
+    let geometry = Geometry::new(scene, &view, frame);
+    let bvh = Bvh::new(&geometry.faces);
+    let mut pixels = vec![None; width as usize * height as usize];
+    pixels
+        .par_chunks_mut(width as usize)
+        .enumerate()
+        .for_each(|(y, row)| {
+            for (x, pixel) in row.iter_mut().enumerate() {
+                let ray = view.ray(x as u32, y as u32);
+                *pixel = nearest(&geometry.faces, &bvh, &view, &ray)
+                    .map(|seen| seen.hit(&view, scene.actors[seen.face.actor].material));
+            }
+        });
+    let background = (0..height)
+        .map(|y| row_colour(&scene.display.background, y, height))
+        .collect();
+    let materials = scene.materials.len();
+    Truth {
+        width,
+        height,
+        pixels,
+        background,
+        materials,
+        geometry,
+        view,
+    }
+}
+
+/// The nearest face on a ray.
+struct Seen<'a> {
+    face: &'a Face,
+    meeting: Meeting,
+    /// Distance of the next face.
+    second: Option<f64>,
+}
+
+impl Seen<'_> {
+    fn hit(&self, view: &View, material: usize) -> Hit {
+        let weights = self.meeting.weights;
+        let lit = Lit::weighted(self.face.lit, weights);
+        let depth_lsb = view.depth_lsb(self.meeting.w);
+        Hit {
+            depth_lsb,
+            actor: self.face.actor,
+            triangle: self.face.triangle,
+            material,
+            weights,
+            level: lit.level,
+            colour: lit.colour.into(),
+            margin_lsb: self
+                .second
+                .map_or(f64::INFINITY, |w| depth_lsb - view.depth_lsb(w)),
+        }
+    }
+}
+
+fn nearest<'a>(faces: &'a [Face], bvh: &Bvh, view: &View, ray: &Ray) -> Option<Seen<'a>> {
+    let [near, far] = view.range();
+    let mut best: Option<(usize, Meeting)> = None;
+    let mut second: Option<f64> = None;
+    bvh.walk(ray, near, far, |index| {
+        if let Some(meeting) = faces[index].seen(ray, view) {
+            match best {
+                Some(old) if !in_front((index, meeting.w), (old.0, old.1.w)) => {
+                    second = Some(second.map_or(meeting.w, |w| w.min(meeting.w)));
+                }
+                _ => {
+                    second = best.map(|(_, old)| old.w);
+                    best = Some((index, meeting));
+                }
+            }
+        }
+        second.unwrap_or(far)
+    });
+    best.map(|(index, meeting)| Seen {
+        face: &faces[index],
+        meeting,
+        second,
+    })
+}
+
+/// Whether face and distance `a` hide `b`.
+fn in_front(a: (usize, f64), b: (usize, f64)) -> bool {
+    if (a.1 - b.1).abs() <= COPLANAR * b.1.abs() {
+        a.0 < b.0
+    } else {
+        a.1 < b.1
+    }
+}
+
+/// The background in row `y`.
+fn row_colour(background: &Background, y: u32, height: u32) -> Rgb {
+    match *background {
+        Background::Solid(colour) => colour,
+        Background::Gradient { top, bottom } => {
+            let t = (f64::from(y) + 0.5) / f64::from(height);
+            std::array::from_fn(|i| top[i] + (bottom[i] - top[i]) * t)
+        }
+    }
+}

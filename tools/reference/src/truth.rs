@@ -1,0 +1,122 @@
+//! What is truly seen at each pixel.
+
+use crate::geometry::Geometry;
+use crate::view::View;
+use fixel_scene::Rgb;
+
+/// The surface seen at a pixel's centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Depth in units of the 16-bit buffer, unrounded, 0..=65535; larger is
+    /// nearer.
+    pub depth_lsb: f64,
+    /// Index of the actor in the scene.
+    pub actor: usize,
+    /// Index of the triangle in the actor's mesh.
+    pub triangle: usize,
+    /// Index of the material in the scene.
+    pub material: usize,
+    /// Weights of the triangle's corners in 3D, in the order of the mesh's
+    /// triangle (of a reflected actor: with the last two swapped).
+    pub weights: [f64; 3],
+    /// Light on a white material under lights made grey, 0..=255.
+    pub level: f64,
+    /// The surface's colour, each channel in 0..=1.
+    pub colour: Rgb,
+    /// How much farther the next surface at this pixel is, in depth units;
+    /// infinite if there is none.
+    pub margin_lsb: f64,
+}
+
+/// The truth about a picture. Pixels go by rows from the top left.
+#[derive(Clone, Debug)]
+pub struct Truth {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    pub(crate) pixels: Vec<Option<Hit>>,
+    /// The background's colour in each row.
+    pub(crate) background: Vec<Rgb>,
+    /// How many materials the scene has.
+    pub(crate) materials: usize,
+    pub(crate) geometry: Geometry,
+    pub(crate) view: View,
+}
+
+impl Truth {
+    /// Width in pixels.
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Height in pixels.
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// All pixels by rows; `None` where nothing is seen.
+    pub fn pixels(&self) -> &[Option<Hit>] {
+        &self.pixels
+    }
+
+    /// The surface at column `x`, row `y`.
+    ///
+    /// # Panics
+    /// If the pixel is outside of the picture.
+    pub fn hit(&self, x: u32, y: u32) -> Option<&Hit> {
+        assert!(
+            x < self.width && y < self.height,
+            "pixel {x}, {y} is outside"
+        );
+        self.pixels[(y * self.width + x) as usize].as_ref()
+    }
+
+    /// How many pixels show a surface.
+    pub fn covered_px(&self) -> usize {
+        self.pixels.iter().flatten().count()
+    }
+
+    /// Depth in units of the 16-bit buffer at which the given triangle itself
+    /// is met at a pixel, seen or hidden; `None` if it is not met there.
+    pub fn depth_of_lsb(&self, actor: usize, triangle: usize, x: u32, y: u32) -> Option<f64> {
+        let face = self.geometry.face(actor, triangle)?;
+        let meeting = face.seen(&self.view.ray(x, y), &self.view)?;
+        Some(self.view.depth_lsb(meeting.w))
+    }
+
+    /// The unquantised colour of every pixel, background included, each
+    /// channel in 0..=1.
+    pub fn colours(&self) -> impl Iterator<Item = Rgb> + '_ {
+        self.pixels
+            .iter()
+            .enumerate()
+            .map(|(i, pixel)| match pixel {
+                Some(hit) => hit.colour,
+                None => self.background[i / self.width as usize],
+            })
+    }
+
+    /// The picture, 8 bits a channel, rounded to the nearest.
+    pub fn picture(&self) -> Vec<[u8; 3]> {
+        self.colours()
+            .map(|c| c.map(|v| (v * 255.0).round() as u8))
+            .collect()
+    }
+
+    /// The 16-bit depth buffer: 0 where nothing is seen, at least 1 where
+    /// something is.
+    pub fn depth16(&self) -> Vec<u16> {
+        let depth = |hit: &Hit| hit.depth_lsb.round().max(1.0) as u16;
+        self.pixels
+            .iter()
+            .map(|p| p.as_ref().map_or(0, depth))
+            .collect()
+    }
+
+    /// 0 where nothing is seen, otherwise 1 + the actor's index.
+    pub fn actor_ids(&self) -> Vec<u16> {
+        self.pixels
+            .iter()
+            .map(|p| p.map_or(0, |hit| hit.actor as u16 + 1))
+            .collect()
+    }
+}

@@ -1,0 +1,109 @@
+//! World space to view space, and the ray through a pixel.
+
+use crate::ray::Ray;
+use fixel_scene::{Camera, Projection};
+use glam::DVec3;
+
+/// How far the sample is moved off the pixel's centre, in pixels, to the right
+/// and down. It turns the top-left rule into plain geometry: a centre exactly
+/// on a left edge (interior to the right) or on a horizontal top edge
+/// (interior below) moves inside, one on a right or bottom edge moves outside.
+/// Down is a thousand times less than right, so that only an edge flatter than
+/// one pixel in a thousand counts as horizontal. Both are far above the
+/// rounding of f64 (1e-13 pixels) and far below anything that a 16-bit depth
+/// could show. Moving the sample, unlike a tolerance at each edge, can open no
+/// gap and double no pixel where several edges meet.
+const TIE_SHIFT_PX: [f64; 2] = [1e-7, 1e-10];
+
+/// The camera, ready to cast rays: view space has `x` to the right, `y` up and
+/// `w` along the line of sight, with the eye at 0; lengths are scene units.
+#[derive(Clone, Debug)]
+pub struct View {
+    eye: DVec3,
+    right: DVec3,
+    up: DVec3,
+    forward: DVec3,
+    /// Half of the picture's width and height: at w = 1 for perspective, in
+    /// scene units for parallel.
+    half: [f64; 2],
+    perspective: bool,
+    /// Near and far plane.
+    range: [f64; 2],
+    size_px: [f64; 2],
+}
+
+impl View {
+    /// The view of a camera on a picture of `width` by `height` pixels. The
+    /// angle of view and the parallel scale are vertical, as VTK has them; the
+    /// picture's aspect gives the width (pixels are square).
+    pub fn new(camera: &Camera, width: u32, height: u32) -> Self {
+        let eye = DVec3::from(camera.position);
+        let forward = (DVec3::from(camera.focal_point) - eye).normalize();
+        let right = forward.cross(DVec3::from(camera.view_up)).normalize();
+        let up = right.cross(forward);
+        let size_px = [f64::from(width), f64::from(height)];
+        let (half_height, perspective) = match camera.projection {
+            Projection::Perspective { view_angle } => ((view_angle / 2.0).to_radians().tan(), true),
+            Projection::Parallel { parallel_scale } => (parallel_scale, false),
+        };
+        Self {
+            eye,
+            right,
+            up,
+            forward,
+            half: [half_height * size_px[0] / size_px[1], half_height],
+            perspective,
+            range: camera.clipping_range,
+            size_px,
+        }
+    }
+
+    /// A world point in view space: right, up, along the line of sight.
+    pub fn to_view(&self, world: DVec3) -> DVec3 {
+        let p = world - self.eye;
+        DVec3::new(p.dot(self.right), p.dot(self.up), p.dot(self.forward))
+    }
+
+    /// The ray through the centre of a pixel (column `x`, row `y`, counted
+    /// down from the top).
+    pub(crate) fn ray(&self, x: u32, y: u32) -> Ray {
+        let along = |at: f64, size: f64, half: f64| (2.0 * at / size - 1.0) * half;
+        let x_px = f64::from(x) + 0.5 + TIE_SHIFT_PX[0];
+        let y_px = f64::from(y) + 0.5 + TIE_SHIFT_PX[1];
+        let sx = along(x_px, self.size_px[0], self.half[0]);
+        let sy = -along(y_px, self.size_px[1], self.half[1]);
+        if self.perspective {
+            Ray {
+                origin: [0.0, 0.0],
+                slope: [sx, sy],
+            }
+        } else {
+            Ray {
+                origin: [sx, sy],
+                slope: [0.0, 0.0],
+            }
+        }
+    }
+
+    /// Whether a distance along the line of sight lies between the planes.
+    pub(crate) fn in_range(&self, w: f64) -> bool {
+        self.range[0] <= w && w <= self.range[1]
+    }
+
+    /// Near and far plane.
+    pub(crate) fn range(&self) -> [f64; 2] {
+        self.range
+    }
+
+    /// Depth in units of the 16-bit buffer, unrounded, of a distance along the
+    /// line of sight: `65535 * near / w` or `65535 * (far - w) / (far - near)`.
+    pub(crate) fn depth_lsb(&self, w: f64) -> f64 {
+        let [near, far] = self.range;
+        65535.0
+            * if self.perspective {
+                near / w
+            } else {
+                (far - w) / (far - near)
+            }
+    }
+}
