@@ -1,0 +1,73 @@
+//! What the binaries for Cortex-M under QEMU share: an exact instruction
+//! counter, and the end of a program that went wrong.
+#![no_std]
+
+use core::{panic::PanicInfo, ptr};
+
+use fixel_runner::firmware::Counter;
+
+/// Where the emulator's loader puts a scene: the upper half of the flash.
+pub const SCENE_ADDRESS: usize = 0x0020_0000;
+/// Bytes from there to the end of the flash.
+pub const SCENE_CAPACITY: usize = 0x0020_0000;
+
+/// The first CMSDK APB timer of the mps2 boards: 32 bits, counts down at 25 MHz
+/// (Arm DDI 0479, chapter 4).
+const TIMER: usize = 0x4000_0000;
+const TIMER_CTRL: *mut u32 = ptr::with_exposed_provenance_mut(TIMER);
+const TIMER_VALUE: *mut u32 = ptr::with_exposed_provenance_mut(TIMER + 4);
+const TIMER_RELOAD: *mut u32 = ptr::with_exposed_provenance_mut(TIMER + 8);
+
+/// Configuration and Control Register of the system control block.
+const SCB_CCR: *mut u32 = ptr::with_exposed_provenance_mut(0xE000_ED14);
+const CCR_UNALIGN_TRP: u32 = 1 << 3;
+
+/// `-icount shift=7`: an instruction takes 128 ns of virtual time, which is
+/// 3.2 timer ticks of 40 ns. Two readings are off by less than a tick, 0.3
+/// instructions, so the nearest integer is the exact count. The timer wraps
+/// after 1.3e9 instructions, which bounds one stretch of counting.
+const NS_PER_INSTRUCTION: u64 = 128;
+const NS_PER_TICK: u64 = 40;
+
+/// Counts executed instructions, exactly, under `-icount shift=7`.
+#[derive(Debug)]
+pub struct InstructionCounter(());
+
+impl InstructionCounter {
+    /// Starts the timer. Also makes unaligned access a fault, as it is on the
+    /// Cortex-M0+, because the emulated core is a larger one.
+    pub fn start() -> Self {
+        // SAFETY: registers of the mps2 boards and of every Cortex-M, aligned
+        // and mapped; nothing else uses them.
+        unsafe {
+            ptr::write_volatile(TIMER_RELOAD, u32::MAX);
+            ptr::write_volatile(TIMER_VALUE, u32::MAX);
+            ptr::write_volatile(TIMER_CTRL, 1);
+            ptr::write_volatile(SCB_CCR, ptr::read_volatile(SCB_CCR) | CCR_UNALIGN_TRP);
+        }
+        Self(())
+    }
+}
+
+impl Counter for InstructionCounter {
+    #[inline(never)]
+    fn ticks(&mut self) -> u64 {
+        // SAFETY: reading the timer's value has no side effect.
+        u64::from(!unsafe { ptr::read_volatile(TIMER_VALUE) })
+    }
+
+    fn between(&self, start: u64, end: u64) -> u64 {
+        let ticks = (end as u32).wrapping_sub(start as u32);
+        (u64::from(ticks) * NS_PER_TICK + NS_PER_INSTRUCTION / 2) / NS_PER_INSTRUCTION
+    }
+}
+
+#[panic_handler]
+fn panic(_: &PanicInfo<'_>) -> ! {
+    fixel_runner::firmware::fail("panic")
+}
+
+#[cortex_m_rt::exception]
+unsafe fn HardFault(frame: &cortex_m_rt::ExceptionFrame) -> ! {
+    fixel_runner::firmware::fault(frame.pc() as usize)
+}

@@ -1,0 +1,26 @@
+//! The smallest firmware: one frame of the scene linked in, in bands of 16
+//! rows, to a panel that swallows it. Prints how deep the stack went.
+#![no_std]
+#![no_main]
+
+use fixel_riscv as _;
+use fixel_runner::{demo, firmware};
+
+const BYTES: &[u8] = include_bytes!(env!("FIXEL_SCENE"));
+
+/// Aligned as the scene needs it.
+#[repr(C, align(4))]
+struct Aligned([u8; BYTES.len()]);
+
+/// The baked scene. Its name is how the footprint finds its size.
+#[unsafe(no_mangle)]
+static FIXEL_SCENE: Aligned = Aligned(*include_bytes!(env!("FIXEL_SCENE")));
+
+static mut MEMORY: demo::Memory = demo::Memory::new();
+
+#[riscv_rt::entry]
+fn main() -> ! {
+    // SAFETY: the only use of MEMORY, and `main` runs once.
+    let memory = unsafe { &mut *(&raw mut MEMORY) };
+    firmware::demo(&FIXEL_SCENE.0, memory)
+}

@@ -1,0 +1,28 @@
+//! Renders the scene that the emulator has loaded, and counts instructions:
+//! `fixel_runner::firmware::main` says how it is told what to do.
+#![no_std]
+#![no_main]
+
+use fixel_riscv::{InstructionCounter, SCENE_ADDRESS, SCENE_CAPACITY};
+use fixel_runner::Memory;
+
+/// The largest picture in one band.
+const PIXELS: usize = 320 * 240;
+
+static mut MEMORY: Memory<PIXELS, { PIXELS * 2 }> = Memory::new();
+
+#[riscv_rt::entry]
+fn main() -> ! {
+    // SAFETY: the only use of MEMORY, and `main` runs once.
+    let memory = unsafe { &mut *(&raw mut MEMORY) };
+    // SAFETY: the emulator has filled this part of the memory, which no
+    // section of the program lies in, before the program started.
+    unsafe {
+        fixel_runner::firmware::main(
+            InstructionCounter::start(),
+            memory,
+            SCENE_ADDRESS,
+            SCENE_CAPACITY,
+        )
+    }
+}
