@@ -1,0 +1,80 @@
+//! A bare mesh as a scene of its own: seen from its right and above, lit
+//! from the upper left.
+
+use std::path::Path;
+
+use glam::DVec3;
+
+use crate::description::{
+    Actor, Animation, Background, ColourFormat, Cull, Display, Light, LightKind, Material, Palette,
+    Scene, Shading,
+};
+use crate::error::Error;
+use crate::framing::{self, Bounds};
+use crate::mesh;
+
+/// Degrees from the front towards the mesh's right, and upwards.
+const AZIMUTH: f64 = 30.0;
+const ELEVATION: f64 = 20.0;
+/// As VTK's.
+const VIEW_ANGLE: f64 = 30.0;
+/// A dark blue, against which any mesh colour stands out.
+const BACKGROUND: [u8; 3] = [0x18, 0x20, 0x2c];
+
+/// Reads the mesh and builds its scene.
+pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error> {
+    let mut loaded = mesh::load(path)?;
+    notes.append(&mut loaded.notes);
+    let colour = loaded.colour.unwrap_or([1.0; 3]);
+    let meshes = vec![loaded.mesh];
+    let actors = vec![Actor {
+        name: meshes[0].name.clone(),
+        mesh: 0,
+        material: 0,
+        origin: [0.0; 3],
+        position: [0.0; 3],
+        orientation: [0.0; 3],
+        scale: [1.0; 3],
+    }];
+    let display = Display {
+        width: 320,
+        height: 240,
+        colour: ColourFormat::Rgb565,
+        background: Background::Solid(BACKGROUND.map(|channel| f64::from(channel) / 255.0)),
+    };
+    let bounds = Bounds::of(&actors, &meshes, None);
+    let (sin, cos) = libm::sincos(AZIMUTH.to_radians());
+    let (up, along) = libm::sincos(ELEVATION.to_radians());
+    let from = DVec3::new(sin * along, up, cos * along);
+    let aspect = f64::from(display.width) / f64::from(display.height);
+    let mut camera = framing::frame(&bounds, from, VIEW_ANGLE, aspect);
+    camera.clipping_range = framing::clipping_range(&camera, &bounds);
+    let right = DVec3::Y.cross(from).normalize();
+    let above = from.cross(right);
+    Ok(Scene {
+        display,
+        camera,
+        ambient: [1.0; 3],
+        lights: vec![Light {
+            kind: LightKind::Directional {
+                direction: (right - above - from).into(),
+            },
+            colour: [1.0; 3],
+            intensity: 1.0,
+        }],
+        materials: vec![Material {
+            name: "default".to_owned(),
+            ambient_colour: colour,
+            diffuse_colour: colour,
+            ambient: 0.15,
+            diffuse: 0.85,
+            emission: 0.0,
+            shading: Shading::Gouraud,
+            cull: Cull::Back,
+        }],
+        meshes,
+        actors,
+        animation: Animation::default(),
+        palette: Palette { colours: 256 },
+    })
+}

@@ -1,0 +1,146 @@
+//! `[camera]`, its defaults as VTK has them.
+
+use glam::DVec3;
+
+use super::table::{Keys, Neutral, Table};
+use crate::description::{Camera, Projection};
+use crate::error::Error;
+use crate::framing::{self, Bounds};
+
+pub(super) const CAMERA: Keys = Keys {
+    known: &[
+        "position",
+        "focal_point",
+        "view_up",
+        "view_angle",
+        "projection",
+        "parallel_scale",
+        "clipping_range",
+    ],
+    later: &[
+        ("azimuth", Neutral::Number(0.0)),
+        ("elevation", Neutral::Number(0.0)),
+        ("roll", Neutral::Number(0.0)),
+        ("zoom", Neutral::Number(1.0)),
+        ("dolly", Neutral::Number(1.0)),
+        ("stereo", Neutral::Text("none")),
+    ],
+};
+
+/// VTK's.
+const VIEW_ANGLE: f64 = 30.0;
+
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Perspective,
+    Parallel,
+}
+
+/// Without a position the eye looks along -z and sees all of `bounds`.
+pub(super) fn camera(
+    table: Option<&Table<'_, '_>>,
+    bounds: &Bounds,
+    aspect: f64,
+) -> Result<Camera, Error> {
+    let Some(table) = table else {
+        let mut camera = framing::frame(bounds, DVec3::Z, VIEW_ANGLE, aspect);
+        camera.clipping_range = framing::clipping_range(&camera, bounds);
+        return Ok(camera);
+    };
+    let kinds = [
+        ("perspective", Kind::Perspective),
+        ("parallel", Kind::Parallel),
+    ];
+    let kind = table.choice("projection", &kinds, &[])?;
+    let kind = kind.unwrap_or(Kind::Perspective);
+    let view_angle = table.number("view_angle", 0.01..=179.0)?;
+    let view_angle = view_angle.unwrap_or(VIEW_ANGLE);
+    let parallel_scale = table.number("parallel_scale", super::FACTOR)?;
+    let focal_point = table.numbers("focal_point", super::LENGTH, "[0, 0, 0]")?;
+
+    let mut camera = match table.numbers("position", super::LENGTH, "[0, 0, 5]")? {
+        Some(position) => Camera {
+            position,
+            focal_point: focal_point.unwrap_or_default(),
+            view_up: [0.0, 1.0, 0.0],
+            projection: Projection::Perspective { view_angle },
+            clipping_range: [0.0; 2],
+        },
+        None => {
+            let bounds = match focal_point {
+                Some(point) => bounds.seen_from_point(point.into()),
+                None => bounds.clone(),
+            };
+            framing::frame(&bounds, DVec3::Z, view_angle, aspect)
+        }
+    };
+    if kind == Kind::Parallel {
+        camera.projection = Projection::Parallel {
+            parallel_scale: parallel_scale
+                .unwrap_or_else(|| framing::parallel_scale(bounds, aspect)),
+        };
+    }
+    if let Some(view_up) = table.numbers("view_up", super::LENGTH, "[0, 1, 0]")? {
+        camera.view_up = view_up;
+    }
+    check_directions(table, &camera)?;
+    camera.clipping_range = match clipping_range(table, kind)? {
+        Some(range) => range,
+        None => framing::clipping_range(&camera, bounds),
+    };
+    Ok(camera)
+}
+
+/// The three directions of the view must exist.
+fn check_directions(table: &Table<'_, '_>, camera: &Camera) -> Result<(), Error> {
+    let sight = DVec3::from(camera.focal_point) - DVec3::from(camera.position);
+    let up = DVec3::from(camera.view_up);
+    // What the rounding of coordinates leaves of a direction is not one.
+    let size = DVec3::from(camera.position).length() + DVec3::from(camera.focal_point).length();
+    if sight.length() <= size * 1e-12 {
+        let key = if table.has("focal_point") {
+            "focal_point"
+        } else {
+            "position"
+        };
+        return Err(table.error(
+            key,
+            "position and focal_point are the same; expected e.g. position = [0, 0, 5], \
+             focal_point = [0, 0, 0]",
+        ));
+    }
+    let (sight, Some(up)) = (sight.normalize(), up.try_normalize()) else {
+        return Err(table.error("view_up", "has length 0; expected e.g. view_up = [0, 1, 0]"));
+    };
+    if sight.cross(up).length() < 1e-6 {
+        let key = if table.has("view_up") {
+            "view_up"
+        } else {
+            "position"
+        };
+        return Err(table.error(
+            key,
+            "view_up is parallel to the line of sight; expected e.g. view_up = [0, 0, 1]",
+        ));
+    }
+    Ok(())
+}
+
+fn clipping_range(table: &Table<'_, '_>, kind: Kind) -> Result<Option<[f64; 2]>, Error> {
+    let example = "[0.1, 100]";
+    let range = table.numbers::<2>("clipping_range", super::LENGTH, example)?;
+    let Some([near, far]) = range else {
+        return Ok(None);
+    };
+    let wrong = if near >= far {
+        format!("near {near} is not less than far {far}")
+    } else if kind == Kind::Perspective && near <= 0.0 {
+        format!("near {near} is not greater than 0")
+    } else {
+        return Ok(range);
+    };
+    Err(table.error(
+        "clipping_range",
+        format!("{wrong}; expected [near, far], e.g. clipping_range = {example}"),
+    ))
+}

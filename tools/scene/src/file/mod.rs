@@ -1,0 +1,241 @@
+//! In: the text of a scene file. Out: a [`Scene`] with every default filled
+//! in, or the first mistake with its line. Used by [`crate::load`].
+
+mod actor;
+mod camera;
+mod colour;
+mod display;
+mod light;
+mod material;
+mod panel;
+mod table;
+
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+
+use glam::DVec3;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::description::{Actor, Camera, Light, LightKind, Material, Mesh, Scene};
+use crate::error::Error;
+use crate::framing::Bounds;
+use crate::mesh;
+use table::{Keys, Neutral, Source, Table};
+
+/// Lengths and coordinates stay within this, either side of 0.
+const LENGTH: f64 = 1e9;
+/// Angles stay within this many degrees, either side of 0.
+const ANGLE: f64 = 1e6;
+/// Sizes of factors that must not be 0.
+const FACTOR: RangeInclusive<f64> = 1e-6..=1e6;
+
+const ROOT: Keys = Keys {
+    known: &[
+        "display",
+        "camera",
+        "light",
+        "material",
+        "actor",
+        "animation",
+        "palette",
+    ],
+    later: &[
+        ("viewport", Neutral::Never),
+        ("text", Neutral::Never),
+        ("line", Neutral::Never),
+        ("marker", Neutral::Never),
+        ("fog", Neutral::Never),
+        ("plane", Neutral::Never),
+        ("ray", Neutral::Never),
+    ],
+};
+
+/// Reads the scene file's text and the meshes that it names. Adds to `notes`
+/// what was left out of the meshes.
+pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<Scene, Error> {
+    let source = Source { file, text };
+    let document = DeTable::parse(text).map_err(|error| syntax_error(&source, &error))?;
+    let root = Table::new(&source, "", document.get_ref(), 0..0, &ROOT)?;
+
+    let display = one(&root, "display", &display::DISPLAY)?;
+    let display = display::display(display.as_ref())?;
+    let animation = one(&root, "animation", &display::ANIMATION)?;
+    let animation = display::animation(animation.as_ref())?;
+    let palette = one(&root, "palette", &display::PALETTE)?;
+    let palette = display::palette(palette.as_ref())?;
+    let materials = materials(&root)?;
+    let (ambient, lights) = lights(&root)?;
+    let (meshes, actors) = actors(&root, &materials, notes)?;
+
+    let bounds = Bounds::of(&actors, &meshes, animation.turntable);
+    let aspect = f64::from(display.width) / f64::from(display.height);
+    let camera = one(&root, "camera", &camera::CAMERA)?;
+    let camera = camera::camera(camera.as_ref(), &bounds, aspect)?;
+    let lights = lights.unwrap_or_else(|| vec![headlight(&camera)]);
+    Ok(Scene {
+        display,
+        camera,
+        ambient,
+        lights,
+        materials,
+        meshes,
+        actors,
+        animation,
+        palette,
+    })
+}
+
+fn syntax_error(source: &Source<'_>, error: &toml::de::Error) -> Error {
+    let offset = error.span().map_or(0, |span| span.start);
+    let (line, column) = source.place(offset);
+    Error {
+        column: Some(column),
+        ..Error::at_line(source.file, line, format!("not TOML: {}", error.message()))
+    }
+}
+
+/// A table that stands once, as in `[camera]`.
+fn one<'t, 'i>(
+    root: &Table<'t, 'i>,
+    name: &'static str,
+    keys: &Keys,
+) -> Result<Option<Table<'t, 'i>>, Error> {
+    let Some(value) = root.get(name) else {
+        return Ok(None);
+    };
+    let DeValue::Table(table) = value.get_ref() else {
+        let what = format!("is not a table; expected [{name}] once");
+        return Err(root.error(name, what));
+    };
+    Table::new(root.source, name, table, value.span(), keys).map(Some)
+}
+
+/// The raw tables of an array, as in `[[light]]`.
+fn many<'t, 'i>(
+    root: &Table<'t, 'i>,
+    name: &'static str,
+) -> Result<Vec<(&'t DeTable<'i>, std::ops::Range<usize>)>, Error> {
+    let wrong = || {
+        root.error(
+            name,
+            format!("is not a list of tables; expected [[{name}]]"),
+        )
+    };
+    let Some(value) = root.get(name) else {
+        return Ok(Vec::new());
+    };
+    let DeValue::Array(array) = value.get_ref() else {
+        return Err(wrong());
+    };
+    let table = |value: &'t Spanned<DeValue<'i>>| match value.get_ref() {
+        DeValue::Table(table) => Ok((table, value.span())),
+        _ => Err(wrong()),
+    };
+    array.iter().map(table).collect()
+}
+
+/// All materials; a default one if the file has none.
+fn materials(root: &Table<'_, '_>) -> Result<Vec<Material>, Error> {
+    let mut materials: Vec<Material> = Vec::new();
+    for (table, header) in many(root, "material")? {
+        let table = Table::new(root.source, "material", table, header, &material::MATERIAL)?;
+        let material = material::material(&table, materials.len())?;
+        if materials.iter().any(|other| other.name == material.name) {
+            let name = &material.name;
+            let what = format!("\"{name}\" is the name of another; expected a name of its own");
+            return Err(table.error("name", what));
+        }
+        materials.push(material);
+    }
+    if materials.is_empty() {
+        materials.push(material::default("default"));
+    }
+    Ok(materials)
+}
+
+/// The ambient light, and the other lights if the file has any `[[light]]`.
+fn lights(root: &Table<'_, '_>) -> Result<([f64; 3], Option<Vec<Light>>), Error> {
+    let mut ambient: Option<[f64; 3]> = None;
+    let mut lights = Vec::new();
+    let tables = many(root, "light")?;
+    let none = tables.is_empty();
+    for (table, header) in tables {
+        if let Some(kind) = table.get("kind") {
+            light::check_kind(kind.get_ref().as_str()).map_err(|what| {
+                let message = format!("light.kind: {what}");
+                root.source.error(kind.span().start, message)
+            })?;
+        }
+        let table = Table::new(root.source, "light", table, header, &light::LIGHT)?;
+        match light::light(&table)? {
+            light::Parsed::Ambient(rgb) => {
+                let sum = ambient.get_or_insert_default();
+                for (sum, channel) in sum.iter_mut().zip(rgb) {
+                    *sum += channel;
+                }
+            }
+            light::Parsed::Light(light) => lights.push(light),
+        }
+    }
+    Ok((ambient.unwrap_or([1.0; 3]), (!none).then_some(lights)))
+}
+
+/// VTK's default light: white, along the line of sight.
+pub(crate) fn headlight(camera: &Camera) -> Light {
+    let direction = DVec3::from(camera.focal_point) - DVec3::from(camera.position);
+    Light {
+        kind: LightKind::Directional {
+            direction: direction.into(),
+        },
+        colour: [1.0; 3],
+        intensity: 1.0,
+    }
+}
+
+/// All actors and the meshes that they name, each file read once.
+fn actors(
+    root: &Table<'_, '_>,
+    materials: &[Material],
+    notes: &mut Vec<String>,
+) -> Result<(Vec<Mesh>, Vec<Actor>), Error> {
+    let mut paths: Vec<PathBuf> = Vec::new();
+    let mut meshes = Vec::new();
+    let mut actors: Vec<Actor> = Vec::new();
+    for (table, header) in many(root, "actor")? {
+        let table = Table::new(root.source, "actor", table, header, &actor::ACTOR)?;
+        let example = "meshes/teapot.obj";
+        let Some(name) = table.text("mesh", example)? else {
+            let what = format!("is missing; expected e.g. mesh = \"{example}\"");
+            return Err(table.error("mesh", what));
+        };
+        let folder = root.source.file.parent().unwrap_or(Path::new(""));
+        let path = folder.join(name);
+        let index = match paths.iter().position(|other| *other == path) {
+            Some(index) => index,
+            None => {
+                let bytes = mesh::check_name(&path)
+                    .and_then(|()| mesh::read(&path))
+                    .map_err(|what| table.error("mesh", format!("\"{name}\" {what}")))?;
+                let mut loaded = mesh::parse(&path, &bytes)?;
+                loaded.mesh.name = name.to_owned();
+                notes.append(&mut loaded.notes);
+                meshes.push(loaded.mesh);
+                paths.push(path);
+                meshes.len() - 1
+            }
+        };
+        let actor = actor::actor(&table, actors.len(), index, materials)?;
+        if table.has("name") && actors.iter().any(|other| other.name == actor.name) {
+            let name = &actor.name;
+            let what = format!("\"{name}\" is the name of another; expected a name of its own");
+            return Err(table.error("name", what));
+        }
+        actors.push(actor);
+    }
+    if actors.is_empty() {
+        let what = "actor: is missing; expected at least one [[actor]] with a mesh";
+        return Err(Error::new(root.source.file, what));
+    }
+    Ok((meshes, actors))
+}

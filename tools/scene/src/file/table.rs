@@ -1,0 +1,304 @@
+//! Typed access to one TOML table. Every key is either known, or known for
+//! later, or a mistake: nothing in a scene file is silently ignored.
+
+use std::ops::{Range, RangeInclusive};
+use std::path::Path;
+
+use toml::Spanned;
+use toml::de::{DeArray, DeTable, DeValue};
+
+use crate::error::Error;
+
+/// The text of a scene file, to find lines in.
+#[derive(Debug)]
+pub(crate) struct Source<'a> {
+    pub file: &'a Path,
+    pub text: &'a str,
+}
+
+impl Source<'_> {
+    /// Line and column, from 1, of a byte offset.
+    pub fn place(&self, offset: usize) -> (usize, usize) {
+        let before = self.text.get(..offset).unwrap_or(self.text);
+        let line = before.matches('\n').count() + 1;
+        let column = before.chars().rev().take_while(|c| *c != '\n').count() + 1;
+        (line, column)
+    }
+
+    pub fn error(&self, offset: usize, message: impl Into<String>) -> Error {
+        Error::at_line(self.file, self.place(offset).0, message)
+    }
+}
+
+/// The value at which a key of a later capability says nothing.
+#[derive(Debug)]
+pub(crate) enum Neutral {
+    /// There is none: the key itself asks for the capability.
+    Never,
+    /// Any value, as it does nothing without another key.
+    Any,
+    /// A number.
+    Number(f64),
+    /// A string.
+    Text(&'static str),
+    /// Three zeros.
+    Zeros,
+}
+
+/// The keys of one kind of table.
+#[derive(Debug)]
+pub(crate) struct Keys {
+    pub known: &'static [&'static str],
+    pub later: &'static [(&'static str, Neutral)],
+}
+
+/// One table whose keys have been checked.
+#[derive(Debug)]
+pub(crate) struct Table<'t, 'i> {
+    pub source: &'t Source<'t>,
+    name: &'static str,
+    table: &'t DeTable<'i>,
+    header: Range<usize>,
+}
+
+impl<'t, 'i> Table<'t, 'i> {
+    /// Checks the keys. `name` is how messages call the table; the root has
+    /// an empty one.
+    pub fn new(
+        source: &'t Source<'t>,
+        name: &'static str,
+        table: &'t DeTable<'i>,
+        header: Range<usize>,
+        keys: &Keys,
+    ) -> Result<Self, Error> {
+        let this = Self {
+            source,
+            name,
+            table,
+            header,
+        };
+        // In the file's order, so that the first mistake is the one reported.
+        let mut entries: Vec<_> = table.iter().collect();
+        entries.sort_by_key(|(key, _)| key.span().start);
+        for (key, value) in entries {
+            let word: &str = key.get_ref();
+            if keys.known.contains(&word) {
+                continue;
+            }
+            match keys.later.iter().find(|(later, _)| *later == word) {
+                Some((_, neutral)) if neutral.is(value.get_ref()) => {}
+                Some((_, neutral)) => {
+                    return Err(this.not_yet(word, key.span().start, neutral));
+                }
+                None => {
+                    return Err(source.error(
+                        key.span().start,
+                        format!("{}: {}", this.field(word), unknown(word, keys)),
+                    ));
+                }
+            }
+        }
+        Ok(this)
+    }
+
+    fn not_yet(&self, key: &str, offset: usize, neutral: &Neutral) -> Error {
+        let but = match neutral {
+            Neutral::Never | Neutral::Any => String::new(),
+            Neutral::Number(value) => format!("; expected {key} = {value}, or no such key"),
+            Neutral::Text(value) => format!("; expected {key} = \"{value}\", or no such key"),
+            Neutral::Zeros => format!("; expected {key} = [0, 0, 0], or no such key"),
+        };
+        self.source.error(
+            offset,
+            format!("{}: is not supported yet{but}", self.field(key)),
+        )
+    }
+
+    /// How messages call a key.
+    pub fn field(&self, key: &str) -> String {
+        if self.name.is_empty() {
+            key.to_owned()
+        } else {
+            format!("{}.{key}", self.name)
+        }
+    }
+
+    /// An error about a key: at its value, or at the table's header if the
+    /// key is missing.
+    pub fn error(&self, key: &str, message: impl AsRef<str>) -> Error {
+        let offset = match self.get(key) {
+            Some(value) => value.span().start,
+            None => self.header.start,
+        };
+        self.source
+            .error(offset, format!("{}: {}", self.field(key), message.as_ref()))
+    }
+
+    /// The raw value.
+    pub fn get(&self, key: &str) -> Option<&'t Spanned<DeValue<'i>>> {
+        self.table.get(key)
+    }
+
+    /// Whether the file has the key.
+    pub fn has(&self, key: &str) -> bool {
+        self.get(key).is_some()
+    }
+
+    /// A string.
+    pub fn text(&self, key: &str, example: &str) -> Result<Option<&'t str>, Error> {
+        match self.get(key).map(Spanned::get_ref) {
+            None => Ok(None),
+            Some(DeValue::String(text)) => Ok(Some(text)),
+            Some(_) => Err(self.error(
+                key,
+                format!("is not a string; expected e.g. {key} = \"{example}\""),
+            )),
+        }
+    }
+
+    /// A number in a range.
+    pub fn number(&self, key: &str, range: RangeInclusive<f64>) -> Result<Option<f64>, Error> {
+        let Some(value) = self.get(key) else {
+            return Ok(None);
+        };
+        let expected = format!("expected a number in {}..={}", range.start(), range.end());
+        let number = to_f64(value.get_ref())
+            .ok_or_else(|| self.error(key, format!("is not a number; {expected}")))?;
+        if range.contains(&number) {
+            Ok(Some(number))
+        } else {
+            Err(self.error(key, format!("{number} is out of range; {expected}")))
+        }
+    }
+
+    /// A whole number in a range.
+    pub fn whole(&self, key: &str, range: RangeInclusive<u32>) -> Result<Option<u32>, Error> {
+        let Some(value) = self.get(key) else {
+            return Ok(None);
+        };
+        let expected = format!(
+            "expected a whole number in {}..={}",
+            range.start(),
+            range.end()
+        );
+        let DeValue::Integer(integer) = value.get_ref() else {
+            return Err(self.error(key, format!("is not a whole number; {expected}")));
+        };
+        match u32::from_str_radix(integer.as_str(), integer.radix()) {
+            Ok(number) if range.contains(&number) => Ok(Some(number)),
+            _ => Err(self.error(key, format!("{integer} is out of range; {expected}"))),
+        }
+    }
+
+    /// `N` numbers, each within `±limit`.
+    pub fn numbers<const N: usize>(
+        &self,
+        key: &str,
+        limit: f64,
+        example: &str,
+    ) -> Result<Option<[f64; N]>, Error> {
+        let Some(array) = self.array(key, example)? else {
+            return Ok(None);
+        };
+        let wrong =
+            |what: &str| self.error(key, format!("{what}; expected e.g. {key} = {example}"));
+        if array.len() != N {
+            return Err(wrong(&format!(
+                "has {} numbers where {N} belong",
+                array.len()
+            )));
+        }
+        let mut numbers = [0.0; N];
+        for (number, value) in numbers.iter_mut().zip(array.iter()) {
+            *number = to_f64(value.get_ref()).ok_or_else(|| wrong("holds what is not a number"))?;
+            if !(-limit..=limit).contains(number) {
+                return Err(wrong(&format!(
+                    "{number} is out of range (-{limit}..={limit})"
+                )));
+            }
+        }
+        Ok(Some(numbers))
+    }
+
+    /// An array of any length.
+    pub fn array(&self, key: &str, example: &str) -> Result<Option<&'t DeArray<'i>>, Error> {
+        match self.get(key).map(Spanned::get_ref) {
+            None => Ok(None),
+            Some(DeValue::Array(array)) => Ok(Some(array)),
+            Some(_) => Err(self.error(
+                key,
+                format!("is not an array; expected e.g. {key} = {example}"),
+            )),
+        }
+    }
+
+    /// One of a few words; `later` are words of later capabilities.
+    pub fn choice<T: Copy>(
+        &self,
+        key: &str,
+        words: &[(&str, T)],
+        later: &[&str],
+    ) -> Result<Option<T>, Error> {
+        let example = words.first().map_or("", |(word, _)| *word);
+        let Some(text) = self.text(key, example)? else {
+            return Ok(None);
+        };
+        if let Some((_, value)) = words.iter().find(|(word, _)| *word == text) {
+            return Ok(Some(*value));
+        }
+        let listed: Vec<_> = words
+            .iter()
+            .map(|(word, _)| format!("\"{word}\""))
+            .collect();
+        let what = if later.contains(&text) {
+            "is not supported yet"
+        } else {
+            "is unknown"
+        };
+        let expected = listed.join(" or ");
+        Err(self.error(key, format!("\"{text}\" {what}; expected {expected}")))
+    }
+}
+
+impl Neutral {
+    fn is(&self, value: &DeValue<'_>) -> bool {
+        match self {
+            Neutral::Never => false,
+            Neutral::Any => true,
+            Neutral::Number(number) => to_f64(value).is_some_and(|found| found == *number),
+            Neutral::Text(text) => matches!(value, DeValue::String(found) if found == text),
+            Neutral::Zeros => matches!(value, DeValue::Array(array)
+                if array.len() == 3 && array.iter().all(|v| to_f64(v.get_ref()) == Some(0.0))),
+        }
+    }
+}
+
+/// The number that a value stands for; infinities and NaN included, so that
+/// the range check can name them.
+pub(crate) fn to_f64(value: &DeValue<'_>) -> Option<f64> {
+    match value {
+        DeValue::Float(float) => float.as_str().parse().ok(),
+        DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
+            .ok()
+            .map(|integer| integer as f64),
+        _ => None,
+    }
+}
+
+/// Text for a key that no table of this kind has.
+fn unknown(word: &str, keys: &Keys) -> String {
+    let all = || {
+        let later = keys.later.iter().map(|(later, _)| *later);
+        keys.known.iter().copied().chain(later)
+    };
+    let nearest = all().min_by_key(|key| strsim::damerau_levenshtein(word, key));
+    match nearest {
+        Some(key) if strsim::damerau_levenshtein(word, key) * 2 <= word.len().max(3) => {
+            format!("is an unknown key; did you mean {key}?")
+        }
+        _ => format!(
+            "is an unknown key; expected one of {}",
+            keys.known.join(", ")
+        ),
+    }
+}

@@ -1,0 +1,173 @@
+//! Where the scene is, and a camera that sees all of it: VTK's ResetCamera
+//! and ResetCameraClippingRange (vtkRenderer.cxx), but for a turntable the
+//! bounds hold for every frame.
+
+use glam::DVec3;
+
+use crate::description::{Actor, Camera, Mesh, Projection};
+
+/// Around all actors, in world space.
+#[derive(Clone, Debug)]
+pub(crate) struct Bounds {
+    centre: DVec3,
+    /// Holds all actors at all frames; greater than 0.
+    radius: f64,
+    /// One sphere an actor, for all frames; together tighter than the one.
+    spheres: Vec<(DVec3, f64)>,
+}
+
+/// Angles of a turntable at which its bounds are looked at. The box of a
+/// turning box between two of them is larger by less than 1 in 1000.
+const TURNTABLE_STEPS: u32 = 64;
+
+impl Bounds {
+    /// The bounds of actors, of which each has a mesh with vertices.
+    pub fn of(actors: &[Actor], meshes: &[Mesh], turntable: Option<u32>) -> Self {
+        let mut spheres = Vec::new();
+        let mut corners = Vec::new();
+        for actor in actors {
+            let Some(mesh) = meshes.get(actor.mesh) else {
+                continue;
+            };
+            let local = box_corners(&mesh.positions);
+            let before = corners.len();
+            for step in 0..turntable.map_or(1, |_| TURNTABLE_STEPS) {
+                let turn = 360.0 * f64::from(step) / f64::from(TURNTABLE_STEPS);
+                corners.extend(local.map(|corner| place(actor, turn, corner)));
+            }
+            // The point that turning leaves in place.
+            let pivot = DVec3::from(actor.origin) + DVec3::from(actor.position);
+            let around = match turntable {
+                Some(_) => pivot,
+                None => middle(&corners[before..]),
+            };
+            spheres.push((around, farthest(around, &corners[before..])));
+        }
+        let centre = middle(&corners);
+        let radius = match farthest(centre, &corners) {
+            0.0 => 0.5,
+            radius => radius,
+        };
+        // VTK's half diagonal, which is the farthest corner's distance where
+        // there is one actor; with several, the corners are the whole box's.
+        let (low, high) = extent(&corners);
+        let half_diagonal = (high - low).length() / 2.0;
+        Self {
+            centre,
+            radius: if turntable.is_none() && half_diagonal > 0.0 {
+                half_diagonal
+            } else {
+                radius
+            },
+            spheres,
+        }
+    }
+
+    /// Bounds around a given middle that hold the same things.
+    pub fn seen_from_point(&self, centre: DVec3) -> Self {
+        Self {
+            centre,
+            radius: self.radius + centre.distance(self.centre),
+            spheres: self.spheres.clone(),
+        }
+    }
+}
+
+/// A point of an actor's mesh in world space, with `turn` degrees more about
+/// the actor's own y axis.
+fn place(actor: &Actor, turn: f64, point: DVec3) -> DVec3 {
+    let origin = DVec3::from(actor.origin);
+    let [x, y, z] = actor.orientation;
+    let mut p = (point - origin) * DVec3::from(actor.scale);
+    let (sin, cos) = libm::sincos((y + turn).to_radians());
+    p = DVec3::new(cos * p.x + sin * p.z, p.y, cos * p.z - sin * p.x);
+    let (sin, cos) = libm::sincos(x.to_radians());
+    p = DVec3::new(p.x, cos * p.y - sin * p.z, sin * p.y + cos * p.z);
+    let (sin, cos) = libm::sincos(z.to_radians());
+    p = DVec3::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y, p.z);
+    p + origin + DVec3::from(actor.position)
+}
+
+fn extent(points: &[DVec3]) -> (DVec3, DVec3) {
+    let first = points.first().copied().unwrap_or_default();
+    points.iter().fold((first, first), |(low, high), point| {
+        (low.min(*point), high.max(*point))
+    })
+}
+
+fn middle(points: &[DVec3]) -> DVec3 {
+    let (low, high) = extent(points);
+    (low + high) / 2.0
+}
+
+fn farthest(centre: DVec3, points: &[DVec3]) -> f64 {
+    points
+        .iter()
+        .fold(0.0, |most, point| most.max(centre.distance(*point)))
+}
+
+fn box_corners(positions: &[[f64; 3]]) -> [DVec3; 8] {
+    let points: Vec<DVec3> = positions.iter().map(|&point| point.into()).collect();
+    let (low, high) = extent(&points);
+    std::array::from_fn(|corner| {
+        let pick = |axis: usize| {
+            if corner >> axis & 1 == 0 {
+                low[axis]
+            } else {
+                high[axis]
+            }
+        };
+        DVec3::new(pick(0), pick(1), pick(2))
+    })
+}
+
+/// A perspective camera in the direction `from` (unit length) off the
+/// bounds' middle, at the distance from which the sphere just fits the
+/// shorter side of the picture; `aspect` is width / height. The clipping
+/// range is left for [`clipping_range`].
+pub(crate) fn frame(bounds: &Bounds, from: DVec3, view_angle: f64, aspect: f64) -> Camera {
+    let half = view_angle.to_radians() / 2.0;
+    let half = if aspect < 1.0 {
+        libm::atan(libm::tan(half) * aspect)
+    } else {
+        half
+    };
+    let position = bounds.centre + from * (bounds.radius / libm::sin(half));
+    Camera {
+        position: position.into(),
+        focal_point: bounds.centre.into(),
+        view_up: [0.0, 1.0, 0.0],
+        projection: Projection::Perspective { view_angle },
+        clipping_range: [0.0; 2],
+    }
+}
+
+/// Half the picture's height at which the sphere just fits.
+pub(crate) fn parallel_scale(bounds: &Bounds, aspect: f64) -> f64 {
+    bounds.radius / aspect.min(1.0)
+}
+
+/// Distances before and behind everything that can be seen. What reaches
+/// behind the eye is cut at a hundredth of the far distance, as VTK does for
+/// a depth buffer of 16 bits.
+pub(crate) fn clipping_range(camera: &Camera, bounds: &Bounds) -> [f64; 2] {
+    const NEAR_OF_FAR: f64 = 0.01;
+    let position = DVec3::from(camera.position);
+    let sight = (DVec3::from(camera.focal_point) - position).normalize();
+    let (mut near, mut far) = (f64::INFINITY, f64::NEG_INFINITY);
+    for (centre, radius) in &bounds.spheres {
+        let depth = (*centre - position).dot(sight);
+        near = near.min(depth - radius);
+        far = far.max(depth + radius);
+    }
+    // VTK widens by half the range either side; the sphere is roomy already,
+    // and depth has only 16 bits to share out.
+    let room = (far - near) * 0.01;
+    far += room;
+    near -= room;
+    if far <= 0.0 {
+        // All of it is behind the eye: any range shows nothing.
+        return [0.01, 1000.01];
+    }
+    [near.max(far * NEAR_OF_FAR), far]
+}

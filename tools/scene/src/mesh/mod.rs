@@ -1,0 +1,131 @@
+//! In: the bytes of a mesh file. Out: a [`Mesh`] that keeps all of
+//! [`Mesh`]'s promises, or the first mistake. Used by the scene file's
+//! actors and by bare meshes.
+
+mod crease;
+mod finish;
+mod obj;
+mod polygon;
+
+use std::path::Path;
+
+use crate::description::{Mesh, Rgb};
+use crate::error::Error;
+
+/// More than this is a mistake, not a scene for a microcontroller.
+const MAX_TRIANGLES: usize = 4_000_000;
+/// A text file of as many triangles stays below this.
+const MAX_BYTES: u64 = 1 << 30;
+/// Coordinates stay within this, either side of 0.
+const MAX_COORDINATE: f64 = 1e9;
+
+/// Extensions that [`parse`] reads.
+const EXTENSIONS: &[&str] = &["obj", "glb", "gltf", "stl", "ply"];
+
+/// A mesh and what else its file says.
+#[derive(Debug)]
+pub(crate) struct Loaded {
+    pub mesh: Mesh,
+    /// Display-encoded, if all of the file has one colour.
+    pub colour: Option<Rgb>,
+    /// What was left out, one line each.
+    pub notes: Vec<String>,
+}
+
+/// What a loader finds in its file. Indices are within `positions`; all else
+/// is checked by [`finish::finish`].
+#[derive(Debug, Default)]
+struct Soup {
+    positions: Vec<[f64; 3]>,
+    /// As many as positions.
+    normals: Vec<Option<[f64; 3]>>,
+    triangles: Vec<[u32; 3]>,
+    colour: Option<Rgb>,
+    notes: Vec<String>,
+}
+
+/// Why a file was refused: the line if it has one, and what is wrong.
+#[derive(Debug)]
+struct Refusal {
+    line: Option<usize>,
+    message: String,
+}
+
+impl Refusal {
+    fn new(message: impl Into<String>) -> Self {
+        Self {
+            line: None,
+            message: message.into(),
+        }
+    }
+
+    fn at(line: usize, message: impl Into<String>) -> Self {
+        Self {
+            line: Some(line),
+            message: message.into(),
+        }
+    }
+
+    /// Too many triangles.
+    fn too_many() -> Self {
+        Self::new(format!(
+            "has too many triangles; expected at most {MAX_TRIANGLES}"
+        ))
+    }
+}
+
+/// A file's extension in lower case.
+pub(crate) fn extension(path: &Path) -> String {
+    let extension = path.extension().unwrap_or_default();
+    extension.to_string_lossy().to_lowercase()
+}
+
+/// Whether the extension is one of a mesh.
+pub(crate) fn check_name(path: &Path) -> Result<(), String> {
+    if EXTENSIONS.contains(&extension(path).as_str()) {
+        return Ok(());
+    }
+    Err(format!(
+        "is not a kind of mesh file; expected one of .{}",
+        EXTENSIONS.join(", .")
+    ))
+}
+
+/// A whole file.
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>, String> {
+    let cannot = |error: std::io::Error| format!("cannot be read: {error}");
+    let bytes = std::fs::metadata(path).map_err(cannot)?.len();
+    if bytes > MAX_BYTES {
+        return Err(format!("has {bytes} bytes; expected at most {MAX_BYTES}"));
+    }
+    std::fs::read(path).map_err(cannot)
+}
+
+/// The line, from 1, of a byte offset.
+pub(crate) fn line_of(bytes: &[u8], offset: usize) -> usize {
+    let before = bytes.iter().take(offset);
+    before.filter(|byte| **byte == b'\n').count() + 1
+}
+
+/// Reads one mesh file.
+pub(crate) fn load(path: &Path) -> Result<Loaded, Error> {
+    let bytes = check_name(path)
+        .and_then(|()| read(path))
+        .map_err(|what| Error::new(path, what))?;
+    parse(path, &bytes)
+}
+
+/// Reads a mesh file's bytes; the path says which format, and is named in
+/// errors.
+pub(crate) fn parse(path: &Path, bytes: &[u8]) -> Result<Loaded, Error> {
+    let soup = match extension(path).as_str() {
+        "obj" => obj::read(bytes),
+        _ => Err(Refusal::new("is not a kind of mesh file")),
+    };
+    let name = path.file_name().unwrap_or_default();
+    soup.and_then(|soup| finish::finish(&name.to_string_lossy(), soup))
+        .map_err(|refusal| match refusal.line {
+            Some(line) => Error::at_line(path, line, refusal.message),
+            None => Error::new(path, refusal.message),
+        })
+}

@@ -1,0 +1,144 @@
+//! Wavefront OBJ: positions, normals and faces; curves, points and lines are
+//! left out, materials with a note.
+//!
+//! Own code, not the `tobj` crate, because that one names no lines, panics
+//! on an `f` without vertices, and mixes up normals when only some faces
+//! have them.
+
+use std::collections::HashMap;
+
+use super::polygon::{self, Polygons};
+use super::{MAX_TRIANGLES, Refusal, Soup};
+
+const FACE: &str = "expected e.g. f 1 2 3 or f 1//1 2//2 3//3";
+
+pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
+    let text = String::from_utf8_lossy(bytes);
+    let mut soup = Soup::default();
+
+    // Faces may come before the vertices that they name.
+    let mut positions = Vec::new();
+    let mut normals = Vec::new();
+    for (line, words) in statements(&text) {
+        match words.first().map(String::as_str) {
+            Some("v") => positions.push(numbers(line, "v", &words)?),
+            Some("vn") => normals.push(numbers(line, "vn", &words)?),
+            Some("mtllib") if soup.notes.is_empty() => {
+                soup.notes
+                    .push("materials of the OBJ file are left out".to_owned());
+            }
+            _ => {}
+        }
+    }
+
+    let mut vertices: HashMap<(usize, Option<usize>), u32> = HashMap::new();
+    let mut polygons = Polygons::default();
+    let (mut positions_so_far, mut normals_so_far) = (0, 0);
+    for (line, words) in statements(&text) {
+        match words.first().map(String::as_str) {
+            Some("v") => positions_so_far += 1,
+            Some("vn") => normals_so_far += 1,
+            Some("f") => {
+                let mut corners = Vec::with_capacity(words.len() - 1);
+                for word in &words[1..] {
+                    let mut parts = word.split('/');
+                    let position = parts.next().unwrap_or_default();
+                    let normal = parts.nth(1).filter(|part| !part.is_empty());
+                    let position =
+                        index(line, "vertex", position, positions_so_far, positions.len())?;
+                    let normal = normal
+                        .map(|normal| index(line, "normal", normal, normals_so_far, normals.len()))
+                        .transpose()?;
+                    let next = soup.positions.len() as u32;
+                    let vertex = *vertices.entry((position, normal)).or_insert(next);
+                    if vertex == next {
+                        soup.positions.push(positions[position]);
+                        soup.normals.push(normal.map(|normal| normals[normal]));
+                    }
+                    corners.push(vertex);
+                }
+                if corners.len() < 3 {
+                    let count = corners.len();
+                    return Err(Refusal::at(
+                        line,
+                        format!("f: has {count} vertices where at least 3 belong; {FACE}"),
+                    ));
+                }
+                polygons.push(&soup.positions, &corners, &mut soup.triangles);
+                if soup.triangles.len() > MAX_TRIANGLES {
+                    return Err(Refusal::too_many());
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(soup)
+}
+
+/// Statements with the line that each starts on: words without comments, a
+/// backslash at the end of a line joins the next one to it.
+fn statements(text: &str) -> impl Iterator<Item = (usize, Vec<String>)> + '_ {
+    let mut lines = text.lines().enumerate();
+    std::iter::from_fn(move || {
+        let (number, mut line) = lines.next()?;
+        let mut words = Vec::new();
+        loop {
+            let code = line.split('#').next().unwrap_or_default().trim_end();
+            let joined = code.strip_suffix('\\');
+            words.extend(joined.unwrap_or(code).split_whitespace().map(str::to_owned));
+            match joined.and_then(|_| lines.next()) {
+                Some((_, next)) => line = next,
+                None => return Some((number + 1, words)),
+            }
+        }
+    })
+}
+
+/// The first three numbers of a statement; weights and colours after them
+/// are left out.
+fn numbers(line: usize, key: &str, words: &[String]) -> Result<[f64; 3], Refusal> {
+    let wrong =
+        |what: String| Refusal::at(line, format!("{key}: {what}; expected e.g. {key} 0 0.5 1"));
+    let mut numbers = [0.0; 3];
+    for (index, number) in numbers.iter_mut().enumerate() {
+        let Some(word) = words.get(index + 1) else {
+            return Err(wrong(format!("has {index} numbers where 3 belong")));
+        };
+        *number = match word.parse::<f64>() {
+            Ok(number) => number,
+            Err(_) => return Err(wrong(format!("\"{word}\" is not a number"))),
+        };
+    }
+    // A normal that is not finite is made anew; a position cannot be.
+    if key == "v" && !polygon::is_sane(&numbers) {
+        return Err(wrong("is not finite, or beyond 1e9".to_owned()));
+    }
+    Ok(numbers)
+}
+
+/// An index from 1, or from the last one so far backwards, as one from 0.
+fn index(
+    line: usize,
+    what: &str,
+    word: &str,
+    so_far: usize,
+    count: usize,
+) -> Result<usize, Refusal> {
+    let wrong = |problem: &str| Err(Refusal::at(line, format!("f: {problem}; {FACE}")));
+    let Ok(number) = word.parse::<i64>() else {
+        return wrong(&format!("\"{word}\" is not a {what} index"));
+    };
+    let index = match number {
+        0 => None,
+        1.. => usize::try_from(number - 1).ok(),
+        _ => usize::try_from(number.unsigned_abs())
+            .ok()
+            .and_then(|back| so_far.checked_sub(back)),
+    };
+    match index {
+        Some(index) if index < count => Ok(index),
+        _ => wrong(&format!(
+            "{what} index {number} is out of range (the file has {count})"
+        )),
+    }
+}

@@ -1,0 +1,105 @@
+//! Polygons into triangles: a fan where the polygon is convex, ears cut off
+//! one by one where it is not (G. Meisters, "Polygons have ears", 1975).
+
+use glam::{DVec2, DVec3};
+
+use super::MAX_COORDINATE;
+
+/// Cutting ears takes time by the square of the corners.
+const MAX_EARS: usize = 10_000;
+
+/// Room for the corners of a polygon, used again by the next.
+#[derive(Debug, Default)]
+pub(super) struct Polygons {
+    corners: Vec<(u32, DVec2)>,
+}
+
+/// Whether a position can be worked with.
+pub(super) fn is_sane(position: &[f64; 3]) -> bool {
+    position.iter().all(|x| x.abs() <= MAX_COORDINATE)
+}
+
+impl Polygons {
+    /// Adds the triangles of one polygon: one for each corner beyond two.
+    /// Corners are indices into `positions`.
+    pub fn push(&mut self, positions: &[[f64; 3]], corners: &[u32], out: &mut Vec<[u32; 3]>) {
+        if let [a, b, c] = *corners {
+            out.push([a, b, c]);
+            return;
+        }
+        self.flatten(positions, corners);
+        let convex = (0..corners.len()).all(|at| self.turn(at) >= 0.0);
+        if !convex && corners.len() <= MAX_EARS {
+            while self.corners.len() > 3 {
+                let ear = self.ear();
+                let (before, after) = self.beside(ear);
+                out.push([before, ear, after].map(|at| self.corners[at].0));
+                self.corners.remove(ear);
+            }
+        }
+        for at in 2..self.corners.len() {
+            out.push([0, at - 1, at].map(|at| self.corners[at].0));
+        }
+    }
+
+    /// Corners in the plane that sees most of the polygon, counter-clockwise.
+    fn flatten(&mut self, positions: &[[f64; 3]], corners: &[u32]) {
+        let points: Vec<DVec3> = corners
+            .iter()
+            .map(|&corner| positions[corner as usize].into())
+            .collect();
+        let next = points.iter().cycle().skip(1);
+        // Newell's normal.
+        let normal: DVec3 = points
+            .iter()
+            .zip(next)
+            .map(|(a, b)| (*a - points[0]).cross(*b - points[0]))
+            .sum();
+        let size = normal.abs();
+        let flat = |p: &DVec3| {
+            if size.z >= size.x && size.z >= size.y {
+                DVec2::new(p.x, p.y * normal.z.signum())
+            } else if size.x >= size.y {
+                DVec2::new(p.y, p.z * normal.x.signum())
+            } else {
+                DVec2::new(p.z, p.x * normal.y.signum())
+            }
+        };
+        self.corners.clear();
+        self.corners
+            .extend(corners.iter().copied().zip(points.iter().map(flat)));
+    }
+
+    fn beside(&self, at: usize) -> (usize, usize) {
+        let count = self.corners.len();
+        ((at + count - 1) % count, (at + 1) % count)
+    }
+
+    /// Positive at a convex corner.
+    fn turn(&self, at: usize) -> f64 {
+        let (before, after) = self.beside(at);
+        let [a, b, c] = [before, at, after].map(|at| self.corners[at].1);
+        (b - a).perp_dot(c - b)
+    }
+
+    /// A corner whose triangle holds no other corner; the first convex one,
+    /// or the first, if the polygon crosses itself and has no ear.
+    fn ear(&self) -> usize {
+        let convex = || (0..self.corners.len()).filter(|&at| self.turn(at) > 0.0);
+        convex()
+            .find(|&at| self.is_empty(at))
+            .or_else(|| convex().next())
+            .unwrap_or(0)
+    }
+
+    fn is_empty(&self, at: usize) -> bool {
+        let (before, after) = self.beside(at);
+        let [a, b, c] = [before, at, after].map(|at| self.corners[at].1);
+        self.corners.iter().enumerate().all(|(other, (_, p))| {
+            let own = [before, at, after].contains(&other) || [a, b, c].contains(p);
+            own || (b - a).perp_dot(*p - a) < 0.0
+                || (c - b).perp_dot(*p - b) < 0.0
+                || (a - c).perp_dot(*p - c) < 0.0
+        })
+    }
+}
