@@ -20,7 +20,11 @@ impl Lit {
             sum.colour += corner.colour * weight;
             sum.level += corner.level * weight;
         }
-        sum
+        // The weights' sum is 1 but for rounding.
+        Self {
+            colour: sum.colour.min(DVec3::ONE),
+            level: sum.level.min(255.0),
+        }
     }
 }
 
