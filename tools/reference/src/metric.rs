@@ -54,10 +54,8 @@ impl Psnr {
     }
 
     pub fn db(&self) -> f64 {
-        if self.squares == 0.0 {
-            return PSNR_IDENTICAL_DB;
-        }
         let mean = self.squares / self.values as f64;
+        // Infinite without any difference.
         (10.0 * (255.0 * 255.0 / mean).log10()).min(PSNR_IDENTICAL_DB)
     }
 }

@@ -38,14 +38,20 @@ fn depth_of_a_slanted_plane() {
 
 #[test]
 fn the_nearest_wins_and_the_margin_is_to_the_next() {
-    let mut scene = parallel(2, 2);
-    for z in [-4.0, 2.0, 0.0] {
-        add(&mut scene, screen_rect([0.0, 0.0], [2.0, 2.0], z));
-    }
-    for pixel in truth(&scene).pixels() {
-        let hit = pixel.unwrap();
-        assert_eq!(hit.actor, 1);
-        close(hit.margin_lsb, 65535.0 * 2.0 / 20.0, 1e-3);
+    for (heights, nearest) in [
+        ([-4.0, 2.0, 0.0], 1),
+        ([-4.0, 0.0, 2.0], 2),
+        ([2.0, 0.0, -4.0], 0),
+    ] {
+        let mut scene = parallel(2, 2);
+        for z in heights {
+            add(&mut scene, screen_rect([0.0, 0.0], [2.0, 2.0], z));
+        }
+        for pixel in truth(&scene).pixels() {
+            let hit = pixel.unwrap();
+            assert_eq!(hit.actor, nearest);
+            close(hit.margin_lsb, 65535.0 * 2.0 / 20.0, 1e-3);
+        }
     }
 }
 
@@ -122,6 +128,29 @@ fn gouraud_is_linear_over_the_surface_not_over_the_screen() {
             255.0 * (8.0 + slope * w) / 16.0,
             1e-3,
         );
+    }
+}
+
+#[test]
+fn gouraud_clamps_at_the_vertices_not_at_the_pixels() {
+    // Twice the light at x = 4 and none at x = 0: half at x = 2.
+    let mut scene = parallel(4, 1);
+    scene.materials[0].shading = Shading::Gouraud;
+    scene.lights[0].intensity = 2.0;
+    let mut rect = screen_rect([0.0, 0.0], [4.0, 1.0], 0.0);
+    for (position, normal) in rect.positions.iter().zip(&mut rect.normals) {
+        *normal = if position[0] > 2.0 {
+            [0.0, 0.0, 1.0]
+        } else {
+            [1.0, 0.0, 0.0]
+        };
+    }
+    add(&mut scene, rect);
+    let truth = truth(&scene);
+    for (x, part) in [0.125, 0.375, 0.625, 0.875].into_iter().enumerate() {
+        let hit = truth.hit(x as u32, 0).unwrap();
+        close(hit.level, 255.0 * part, 1e-3);
+        close(hit.colour[1], part, 1e-5);
     }
 }
 
