@@ -2,10 +2,14 @@
 //! [`Mesh`]'s promises, or the first mistake. Used by the scene file's
 //! actors and by bare meshes.
 
+mod accessor;
 mod crease;
 mod finish;
+mod gltf;
 mod obj;
+mod ply;
 mod polygon;
+mod stl;
 
 use std::path::Path;
 
@@ -120,6 +124,9 @@ pub(crate) fn load(path: &Path) -> Result<Loaded, Error> {
 pub(crate) fn parse(path: &Path, bytes: &[u8]) -> Result<Loaded, Error> {
     let soup = match extension(path).as_str() {
         "obj" => obj::read(bytes),
+        "glb" | "gltf" => gltf::read(path, bytes),
+        "stl" => stl::read(bytes),
+        "ply" => ply::read(bytes),
         _ => Err(Refusal::new("is not a kind of mesh file")),
     };
     let name = path.file_name().unwrap_or_default();

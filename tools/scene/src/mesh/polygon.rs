@@ -103,3 +103,12 @@ impl Polygons {
         })
     }
 }
+
+/// Adds the triangles of a strip: each corner with the two before it, every
+/// other one turned round.
+pub(super) fn strip(corners: &[u32], out: &mut Vec<[u32; 3]>) {
+    for (at, corner) in corners.windows(3).enumerate() {
+        let [a, b, c] = [corner[0], corner[1], corner[2]];
+        out.push(if at % 2 == 0 { [a, b, c] } else { [b, a, c] });
+    }
+}

@@ -1,0 +1,268 @@
+//! glTF 2.0, as text with buffers or as GLB: the triangles of all meshes in
+//! the default scene, each moved by its nodes. Cameras, lights, skins, morph
+//! targets and textures are left out.
+
+use std::path::Path;
+
+use base64::Engine;
+use glam::{DMat3, DMat4, DQuat, DVec3};
+use gltf::mesh::Mode;
+use gltf::{Document, Gltf, Node, Primitive, Semantic};
+
+use super::accessor::{self, Buffers};
+use super::{MAX_TRIANGLES, Refusal, Soup, polygon};
+use crate::description::Rgb;
+
+/// Deeper than any sensible scene, and low enough for a scan of all pairs.
+const MAX_NODES: usize = 100_000;
+
+pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Soup, Refusal> {
+    let unchecked = Gltf::from_slice_without_validation(bytes).map_err(|e| refusal(bytes, &e))?;
+    if let Some(extension) = unchecked.extensions_required().next() {
+        return Err(Refusal::new(format!(
+            "extensionsRequired: \"{extension}\" is not supported; \
+             expected a file without it, e.g. exported without compression"
+        )));
+    }
+    let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(|e| refusal(bytes, &e))?;
+    let buffers = buffers(path, &document, blob)?;
+    let mut reader = Walk {
+        buffers,
+        soup: Soup::default(),
+        colours: Vec::new(),
+    };
+    let scene = document
+        .default_scene()
+        .or_else(|| document.scenes().next());
+    match scene {
+        Some(scene) => reader.nodes(&document, scene.nodes())?,
+        None => {
+            for mesh in document.meshes() {
+                for primitive in mesh.primitives() {
+                    reader.primitive(&primitive, &DMat4::IDENTITY)?;
+                }
+            }
+        }
+    }
+    Ok(reader.finish())
+}
+
+fn refusal(bytes: &[u8], error: &gltf::Error) -> Refusal {
+    let message = format!("no valid glTF: {error}");
+    match error {
+        // In a GLB the line is one of a hidden text.
+        gltf::Error::Deserialize(json) if !bytes.starts_with(b"glTF") => {
+            Refusal::at(json.line(), message)
+        }
+        _ => Refusal::new(message),
+    }
+}
+
+fn buffers(path: &Path, document: &Document, blob: Option<Vec<u8>>) -> Result<Buffers, Refusal> {
+    let mut blob = blob;
+    let mut buffers = Vec::new();
+    for buffer in document.buffers() {
+        let wrong = |what: String| Refusal::new(format!("buffers[{}]: {what}", buffer.index()));
+        let data = match buffer.source() {
+            gltf::buffer::Source::Bin => blob
+                .take()
+                .ok_or_else(|| wrong("the file has no binary part".to_owned()))?,
+            gltf::buffer::Source::Uri(uri) => uri_data(path, uri).map_err(wrong)?,
+        };
+        if data.len() < buffer.length() {
+            let (has, needs) = (data.len(), buffer.length());
+            return Err(wrong(format!("has {has} bytes where {needs} belong")));
+        }
+        buffers.push(data);
+    }
+    Ok(Buffers(buffers))
+}
+
+/// A `data:` URI's bytes, or those of a file beside the glTF file.
+fn uri_data(path: &Path, uri: &str) -> Result<Vec<u8>, String> {
+    if let Some(data) = uri.strip_prefix("data:") {
+        let (_, base64) = data
+            .split_once(";base64,")
+            .ok_or("its data: URI is not base64")?;
+        return base64::engine::general_purpose::STANDARD
+            .decode(base64)
+            .map_err(|error| format!("its data: URI is not base64: {error}"));
+    }
+    let name = uri.replace("%20", " ");
+    let file = path.parent().unwrap_or(Path::new("")).join(&name);
+    super::read(&file).map_err(|what| format!("\"{name}\" {what}"))
+}
+
+#[derive(Debug)]
+struct Walk {
+    buffers: Buffers,
+    soup: Soup,
+    /// Of each primitive.
+    colours: Vec<Rgb>,
+}
+
+impl Walk {
+    /// Visits each node once, so that nodes in a circle end too.
+    fn nodes<'a>(
+        &mut self,
+        document: &'a Document,
+        roots: impl Iterator<Item = Node<'a>>,
+    ) -> Result<(), Refusal> {
+        let mut seen = vec![false; document.nodes().len()];
+        if seen.len() > MAX_NODES {
+            return Err(Refusal::new(format!(
+                "nodes: has {}; expected at most {MAX_NODES}",
+                seen.len()
+            )));
+        }
+        let mut waiting: Vec<(Node<'a>, DMat4)> =
+            roots.map(|node| (node, DMat4::IDENTITY)).collect();
+        // As a stack it would go through the nodes from the last to the first.
+        waiting.reverse();
+        while let Some((node, parent)) = waiting.pop() {
+            if std::mem::replace(&mut seen[node.index()], true) {
+                let what = format!("nodes[{}]: has more than one parent", node.index());
+                return Err(Refusal::new(what));
+            }
+            let world = parent * local(&node);
+            if let Some(mesh) = node.mesh() {
+                for primitive in mesh.primitives() {
+                    self.primitive(&primitive, &world)?;
+                }
+            }
+            if node.skin().is_some() {
+                self.note("skins are left out");
+            }
+            let first = waiting.len();
+            waiting.extend(node.children().map(|child| (child, world)));
+            waiting[first..].reverse();
+        }
+        Ok(())
+    }
+
+    fn note(&mut self, note: &str) {
+        if !self.soup.notes.iter().any(|other| other == note) {
+            self.soup.notes.push(note.to_owned());
+        }
+    }
+
+    fn primitive(&mut self, primitive: &Primitive<'_>, world: &DMat4) -> Result<(), Refusal> {
+        let mode = primitive.mode();
+        if !matches!(
+            mode,
+            Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan
+        ) {
+            self.note("points and lines are left out");
+            return Ok(());
+        }
+        let Some(positions) = primitive.get(&Semantic::Positions) else {
+            return Ok(());
+        };
+        let positions = accessor::vectors(&self.buffers, &positions)?;
+        let normals = match primitive.get(&Semantic::Normals) {
+            Some(normals) => accessor::vectors(&self.buffers, &normals)?,
+            None => Vec::new(),
+        };
+        let corners = match primitive.indices() {
+            Some(indices) => accessor::indices(&self.buffers, &indices, positions.len())?,
+            None => (0..positions.len() as u32).collect(),
+        };
+        let first = self.soup.positions.len() as u32;
+        let soup = &mut self.soup;
+        let place = |position: &[f64; 3]| world.transform_point3((*position).into()).to_array();
+        soup.positions.extend(positions.iter().map(place));
+        // The inverse transpose, but for a factor, which also stands where
+        // there is no inverse.
+        let linear = DMat3::from_mat4(*world);
+        let determinant = linear.determinant();
+        let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis];
+        let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
+        let turn = |normal: &[f64; 3]| cofactors * DVec3::from(*normal) * determinant.signum();
+        let turned = normals.iter().map(|normal| Some(turn(normal).into()));
+        soup.normals
+            .extend(turned.chain(std::iter::repeat(None)).take(positions.len()));
+
+        let triangles = soup.triangles.len();
+        match mode {
+            Mode::TriangleStrip => polygon::strip(&corners, &mut soup.triangles),
+            Mode::TriangleFan => {
+                let fan = corners.windows(2).skip(1);
+                soup.triangles
+                    .extend(fan.map(|pair| [corners[0], pair[0], pair[1]]));
+            }
+            _ => {
+                let (whole, _) = corners.as_chunks::<3>();
+                soup.triangles.extend(whole);
+            }
+        }
+        for triangle in &mut soup.triangles[triangles..] {
+            *triangle = triangle.map(|corner| corner + first);
+            // A reflection turns the winding round.
+            if determinant < 0.0 {
+                triangle.swap(1, 2);
+            }
+        }
+        if soup.triangles.len() > MAX_TRIANGLES {
+            return Err(Refusal::too_many());
+        }
+        self.material(primitive);
+        Ok(())
+    }
+
+    fn material(&mut self, primitive: &Primitive<'_>) {
+        let material = primitive.material().pbr_metallic_roughness();
+        let [red, green, blue, _] = material.base_color_factor();
+        self.colours.push([red, green, blue].map(encode));
+        if material.base_color_texture().is_some() {
+            self.note("textures are left out");
+        }
+        if primitive.get(&Semantic::Colors(0)).is_some() {
+            self.note("vertex colours are left out");
+        }
+        if primitive.morph_targets().next().is_some() {
+            self.note("morph targets are left out");
+        }
+    }
+
+    fn finish(mut self) -> Soup {
+        let first = self.colours.first().copied();
+        if self.colours.iter().all(|colour| Some(*colour) == first) {
+            self.soup.colour = first;
+        } else {
+            self.note("has several base colours, which are left out");
+        }
+        self.soup
+    }
+}
+
+/// A node's own transform.
+fn local(node: &Node<'_>) -> DMat4 {
+    match node.transform() {
+        gltf::scene::Transform::Matrix { matrix } => {
+            DMat4::from_cols_array_2d(&matrix.map(|column| column.map(f64::from)))
+        }
+        gltf::scene::Transform::Decomposed {
+            translation,
+            rotation,
+            scale,
+        } => {
+            // Rounded to f32 in the file, it is not quite of length 1.
+            let rotation = DQuat::from_array(rotation.map(f64::from));
+            DMat4::from_scale_rotation_translation(
+                scale.map(f64::from).into(),
+                rotation.normalize(),
+                translation.map(f64::from).into(),
+            )
+        }
+    }
+}
+
+/// Linear light to display-encoded (IEC 61966-2-1).
+fn encode(linear: f32) -> f64 {
+    let linear = f64::from(linear).clamp(0.0, 1.0);
+    if linear <= 0.003_130_8 {
+        linear * 12.92
+    } else {
+        1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055
+    }
+}

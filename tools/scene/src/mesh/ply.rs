@@ -1,0 +1,188 @@
+//! PLY, ASCII and binary of both byte orders: vertices with x, y, z and
+//! nx, ny, nz, faces as polygons, and triangle strips. All else is left out.
+
+use ply_rs_bw::parser::{ParseError, Parser, Reader};
+use ply_rs_bw::ply::{Encoding, Property, PropertyAccess, PropertyAccessResult};
+
+use super::polygon::{self, Polygons};
+use super::{MAX_TRIANGLES, Refusal, Soup};
+
+/// One vertex, face or strip: the properties that matter of any of them.
+#[derive(Debug, Default)]
+struct Item {
+    position: [Option<f64>; 3],
+    normal: [Option<f64>; 3],
+    indices: Option<Vec<i64>>,
+    coloured: bool,
+}
+
+impl PropertyAccess for Item {
+    fn new() -> Self {
+        Self::default()
+    }
+
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
+        let slot = match name {
+            "x" => &mut self.position[0],
+            "y" => &mut self.position[1],
+            "z" => &mut self.position[2],
+            "nx" => &mut self.normal[0],
+            "ny" => &mut self.normal[1],
+            "nz" => &mut self.normal[2],
+            "vertex_indices" | "vertex_index" => {
+                self.indices = integers(&property);
+                return match self.indices {
+                    Some(_) => PropertyAccessResult::Set,
+                    None => PropertyAccessResult::UnsupportedType,
+                };
+            }
+            "red" | "r" | "diffuse_red" => {
+                self.coloured = true;
+                return PropertyAccessResult::Ignored;
+            }
+            _ => return PropertyAccessResult::Ignored,
+        };
+        *slot = number(&property);
+        match slot {
+            Some(_) => PropertyAccessResult::Set,
+            None => PropertyAccessResult::UnsupportedType,
+        }
+    }
+}
+
+fn number(property: &Property) -> Option<f64> {
+    match property {
+        Property::Float(number) => Some((*number).into()),
+        Property::Double(number) => Some(*number),
+        Property::Char(number) => Some((*number).into()),
+        Property::UChar(number) => Some((*number).into()),
+        Property::Short(number) => Some((*number).into()),
+        Property::UShort(number) => Some((*number).into()),
+        Property::Int(number) => Some((*number).into()),
+        Property::UInt(number) => Some((*number).into()),
+        _ => None,
+    }
+}
+
+fn integers(property: &Property) -> Option<Vec<i64>> {
+    fn wide<T: Copy + Into<i64>>(list: &[T]) -> Option<Vec<i64>> {
+        Some(list.iter().map(|&number| number.into()).collect())
+    }
+    match property {
+        Property::ListChar(list) => wide(list),
+        Property::ListUChar(list) => wide(list),
+        Property::ListShort(list) => wide(list),
+        Property::ListUShort(list) => wide(list),
+        Property::ListInt(list) => wide(list),
+        Property::ListUInt(list) => wide(list),
+        _ => None,
+    }
+}
+
+pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
+    let parser = Parser::<Item>::new();
+    let mut reader = Reader::new(bytes);
+    let header = parser
+        .read_header(&mut reader)
+        .map_err(|e| refusal(&e, true))?;
+    let ascii = header.encoding == Encoding::Ascii;
+    let mut soup = Soup::default();
+    let mut polygons = Polygons::default();
+    let mut vertices_read = false;
+    for (name, element) in &header.elements {
+        // Every item takes a byte at least; this also stops at endless items
+        // without properties.
+        if element.count > bytes.len() {
+            let count = element.count;
+            return Err(Refusal::new(format!(
+                "says it has {count} items of \"{name}\", more than its bytes"
+            )));
+        }
+        let first_line = reader.line();
+        let items = parser
+            .read_payload_for_element(&mut reader, element, &header)
+            .map_err(|e| refusal(&e, ascii))?;
+        for (at, item) in items.into_iter().enumerate() {
+            let line = ascii.then_some(first_line + at);
+            let wrong = |what: String| Refusal {
+                line,
+                message: format!("{name} {at}: {what}"),
+            };
+            match name.as_str() {
+                "vertex" => {
+                    vertices_read = true;
+                    push_vertex(&mut soup, &item).map_err(wrong)?;
+                }
+                "face" | "tristrips" if !vertices_read => {
+                    return Err(wrong("comes before any vertex".to_owned()));
+                }
+                "face" => {
+                    let corners = item.indices.unwrap_or_default();
+                    if corners.len() < 3 {
+                        let count = corners.len();
+                        return Err(wrong(format!(
+                            "has {count} vertices where at least 3 belong"
+                        )));
+                    }
+                    let corners = indices(&soup, &corners).map_err(wrong)?;
+                    polygons.push(&soup.positions, &corners, &mut soup.triangles);
+                }
+                "tristrips" => {
+                    for strip in item.indices.unwrap_or_default().split(|i| *i == -1) {
+                        let strip = indices(&soup, strip).map_err(wrong)?;
+                        polygon::strip(&strip, &mut soup.triangles);
+                    }
+                }
+                _ => {}
+            }
+            if soup.triangles.len() > MAX_TRIANGLES {
+                return Err(Refusal::too_many());
+            }
+        }
+    }
+    Ok(soup)
+}
+
+fn push_vertex(soup: &mut Soup, item: &Item) -> Result<(), String> {
+    let [Some(x), Some(y), Some(z)] = item.position else {
+        return Err("lacks a property; expected x, y and z".to_owned());
+    };
+    if !polygon::is_sane(&[x, y, z]) {
+        return Err("is not finite, or beyond 1e9".to_owned());
+    }
+    soup.positions.push([x, y, z]);
+    soup.normals.push(match item.normal {
+        [Some(x), Some(y), Some(z)] => Some([x, y, z]),
+        _ => None,
+    });
+    if item.coloured && soup.notes.is_empty() {
+        soup.notes.push("vertex colours are left out".to_owned());
+    }
+    Ok(())
+}
+
+fn indices(soup: &Soup, indices: &[i64]) -> Result<Vec<u32>, String> {
+    let count = soup.positions.len();
+    let index = |index: &i64| match u32::try_from(*index) {
+        Ok(index) if (index as usize) < count => Ok(index),
+        _ => Err(format!(
+            "vertex index {index} is out of range (the file has {count})"
+        )),
+    };
+    indices.iter().map(index).collect()
+}
+
+/// The crate's message without the lines that it quotes; in a binary file
+/// its line means nothing after the header.
+fn refusal(error: &ParseError, has_lines: bool) -> Refusal {
+    let text = error.to_string();
+    let first = text.lines().next().unwrap_or_default();
+    let message = match first.split_once(": ") {
+        Some((start, rest)) if start.starts_with("Line ") => rest,
+        _ => first,
+    };
+    Refusal {
+        line: error.line().filter(|_| has_lines),
+        message: format!("no valid PLY: {message}"),
+    }
+}
