@@ -38,14 +38,17 @@ fn depth_of_a_slanted_plane() {
 
 #[test]
 fn the_nearest_wins_and_the_margin_is_to_the_next() {
-    for (heights, nearest) in [
-        ([-4.0, 2.0, 0.0], 1),
-        ([-4.0, 0.0, 2.0], 2),
-        ([2.0, 0.0, -4.0], 0),
-    ] {
+    let cases: [(&[f64], usize); 5] = [
+        (&[-4.0, 2.0, 0.0], 1),
+        (&[-4.0, 0.0, 2.0], 2),
+        (&[2.0, 0.0, -4.0], 0),
+        (&[0.0, 2.0], 1),
+        (&[2.0, 0.0], 0),
+    ];
+    for (heights, nearest) in cases {
         let mut scene = parallel(2, 2);
         for z in heights {
-            add(&mut scene, screen_rect([0.0, 0.0], [2.0, 2.0], z));
+            add(&mut scene, screen_rect([0.0, 0.0], [2.0, 2.0], *z));
         }
         for pixel in truth(&scene).pixels() {
             let hit = pixel.unwrap();
