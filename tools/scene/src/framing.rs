@@ -43,22 +43,17 @@ impl Bounds {
             };
             spheres.push((around, farthest(around, &corners[before..])));
         }
-        let centre = middle(&corners);
-        let radius = match farthest(centre, &corners) {
-            0.0 => 0.5,
-            radius => radius,
-        };
-        // VTK's half diagonal, which is the farthest corner's distance where
-        // there is one actor; with several, the corners are the whole box's.
         let (low, high) = extent(&corners);
-        let half_diagonal = (high - low).length() / 2.0;
+        let centre = (low + high) / 2.0;
+        // VTK's radius is half the box's diagonal. What turns needs less than
+        // half the diagonal of the box around all its frames.
+        let radius = match turntable {
+            Some(_) => farthest(centre, &corners),
+            None => (high - low).length() / 2.0,
+        };
         Self {
             centre,
-            radius: if turntable.is_none() && half_diagonal > 0.0 {
-                half_diagonal
-            } else {
-                radius
-            },
+            radius: if radius > 0.0 { radius } else { 0.5 },
             spheres,
         }
     }

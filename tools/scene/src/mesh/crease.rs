@@ -83,6 +83,8 @@ struct Vertex {
     corners: Vec<Corner>,
     /// For each corner one of its group, the least after `group`.
     group: Vec<usize>,
+    /// For each corner itself, or the one whose normal it takes.
+    stand_in: Vec<usize>,
     /// Other end of an edge at the vertex, and a corner that has this edge.
     edges: Vec<(u32, usize)>,
     /// For each corner.
@@ -122,26 +124,17 @@ impl Vertex {
                 }
             }
         }
-        // A face without area has no say, it goes with a neighbour.
-        for edge in edges.chunk_by(|a, b| a.0 == b.0) {
-            let Some(&(_, neighbour)) = edge.iter().find(|(_, at)| face(*at).is_some()) else {
-                continue;
-            };
-            for &(_, at) in edge {
-                if face(at).is_none() && self.root(at) == at {
-                    self.join(at, neighbour);
-                }
-            }
-        }
+        // A face without area has no say; it goes with a neighbour, or with
+        // any face here that has an area.
         let any = (0..corners.len()).find(|&at| face(at).is_some());
-        for at in 0..corners.len() {
-            if let Some(any) = any
-                && face(self.root(at)).is_none()
-                && face(at).is_none()
-                && !(0..corners.len().min(64))
-                    .any(|other| face(other).is_some() && self.root(other) == self.root(at))
-            {
-                self.join(at, any);
+        self.stand_in.clear();
+        self.stand_in
+            .extend((0..corners.len()).map(|at| face(at).map_or(any.unwrap_or(at), |_| at)));
+        for edge in edges.chunk_by(|a, b| a.0 == b.0) {
+            if let Some(&(_, neighbour)) = edge.iter().find(|(_, at)| face(*at).is_some()) {
+                for &(_, at) in edge.iter().filter(|(_, at)| face(*at).is_none()) {
+                    self.stand_in[at] = neighbour;
+                }
             }
         }
         self.edges = edges;
@@ -172,16 +165,15 @@ impl Vertex {
             }
         }
         self.normals.clear();
-        for (at, corner) in self.corners.iter().enumerate() {
-            let own = faces[corner.triangle].unwrap_or(DVec3::Z);
+        for &at in &self.stand_in {
+            let own = faces[self.corners[at].triangle].unwrap_or(DVec3::Z);
             // Faces of a thin spike may cancel out.
             let sum = sums[self.root(at)];
-            let normal = if sum.length() > 1e-9 {
+            self.normals.push(if sum.length() > 1e-9 {
                 sum.normalize()
             } else {
                 own
-            };
-            self.normals.push(normal);
+            });
         }
     }
 }
