@@ -1,2 +1,38 @@
+//! Real-time 3D in fixed point for displays on microcontrollers.
+//!
+//! One frame, in order:
+//!
+//! ```text
+//! Scene (flash, zero-copy)                 scene/    what there is
+//!   -> per actor: matrix, lights           view/     model -> world -> view -> clip
+//!   -> per meshlet: frustum, cone, rows    cull/     decides from bounds alone
+//!   -> per vertex: transform, light        vertex/   screen position, depth, level
+//!   -> per triangle: near clip, setup      clip/, raster/
+//!   -> per span: depth test, shade         raster/
+//!   -> Band: rows of indices and depth     frame/
+//!   -> palette: index -> panel colour      palette/
+//!   -> Display                             display/
+//! ```
+//!
+//! [`render::render_frame`] is that list as code.
+
 #![no_std]
-#![doc = "fixel"]
+
+pub mod clip;
+pub mod cull;
+pub mod display;
+pub mod frame;
+mod include;
+pub mod math;
+pub mod palette;
+pub mod raster;
+pub mod render;
+pub mod scene;
+pub mod vertex;
+pub mod view;
+
+pub use display::{Display, DrawTargetDisplay};
+pub use frame::Band;
+pub use include::Aligned;
+pub use render::{FrameStats, Scratch, render_frame};
+pub use scene::{Camera, Placement, Pose, Scene, SceneError};

@@ -1,0 +1,51 @@
+//! Which meshlets can be seen, decided from their bounds alone. In: a meshlet's
+//! record and its [`ActorView`](crate::view::ActorView). Out: [`Visible`]: the
+//! screen rows it may touch and how near it is. Used by `render`.
+
+mod cone;
+mod sphere;
+
+use crate::scene::{Cull, Meshlet};
+use crate::view::{ActorView, MeshletRows};
+
+/// What is known of a meshlet that may be visible.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Visible {
+    /// First screen row that it may touch.
+    pub first_row: u16,
+    /// One past the last row.
+    pub end_row: u16,
+    /// Larger is nearer; comparable between actors.
+    pub nearness: u16,
+}
+
+/// Why a meshlet was left out, or what it may touch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It may be seen.
+    Visible(Visible),
+    /// It is beyond a side of the view.
+    OutsideView,
+    /// It shows only faces that are left out.
+    FacesAway,
+}
+
+/// Judges a meshlet. Never calls one invisible that has a pixel to show.
+pub fn judge(view: &ActorView, meshlet: &Meshlet, height: u16) -> Verdict {
+    let away = match view.material.cull {
+        Cull::Back => cone::faces_away(view, meshlet, false),
+        Cull::Front => cone::faces_away(view, meshlet, true),
+        Cull::None => false,
+    };
+    if away {
+        return Verdict::FacesAway;
+    }
+    let base = MeshletRows::new(view, meshlet).base();
+    match sphere::extent(view, base, meshlet.radius, height) {
+        Some(visible) => Verdict::Visible(visible),
+        None => Verdict::OutsideView,
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,32 @@
+//! Where finished rows go. In: [`BandRows`] and the palette. Out: a panel's
+//! pixels. Used by `render`, implemented by applications.
+
+mod draw_target;
+
+use crate::frame::BandRows;
+use crate::palette::Palette;
+
+pub use draw_target::DrawTargetDisplay;
+
+/// A panel, or anything that takes rows from the top of the screen to its
+/// bottom.
+pub trait Display {
+    /// What can go wrong on the way.
+    type Error;
+
+    /// A frame begins.
+    ///
+    /// # Errors
+    /// Those of the panel's bus.
+    fn begin(&mut self, palette: &Palette<'_>) -> Result<(), Self::Error>;
+
+    /// Rows are finished. Each row of the screen comes once a frame.
+    ///
+    /// # Errors
+    /// Those of the panel's bus. The frame is given up; the next one may be
+    /// drawn.
+    fn show(&mut self, rows: BandRows<'_>) -> Result<(), Self::Error>;
+}
+
+#[cfg(test)]
+mod tests;

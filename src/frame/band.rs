@@ -1,0 +1,150 @@
+//! A band: some rows of the screen, full width.
+
+use core::fmt;
+
+use crate::math::Depth;
+
+/// Buffers for a band: a palette index and a depth for each pixel. A band as
+/// high as the screen holds a whole frame; a lower one is used again and again,
+/// from the top of the screen to its bottom.
+#[derive(Debug)]
+pub struct Band<'a> {
+    indices: &'a mut [u8],
+    depths: &'a mut [Depth],
+    width: u16,
+    rows: u16,
+}
+
+/// The buffers given do not hold one row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BandError {
+    /// Pixels a row needs.
+    pub width: u16,
+    /// Pixels there are in the smaller buffer.
+    pub pixels: usize,
+}
+
+impl fmt::Display for BandError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "a band needs at least one row of 1..=2048 pixels: width {}, buffers hold {}",
+            self.width, self.pixels
+        )
+    }
+}
+
+impl core::error::Error for BandError {}
+
+impl<'a> Band<'a> {
+    /// A band of a screen `width` pixels wide, with as many rows as both
+    /// buffers hold.
+    ///
+    /// # Errors
+    /// If not even one row fits, or `width` is not in 1..=2048.
+    pub fn new(
+        width: u16,
+        indices: &'a mut [u8],
+        depths: &'a mut [Depth],
+    ) -> Result<Self, BandError> {
+        let pixels = indices.len().min(depths.len());
+        let rows = pixels
+            .checked_div(usize::from(width))
+            .unwrap_or(0)
+            .min(2048) as u16;
+        if rows == 0 || width > 2048 {
+            return Err(BandError { width, pixels });
+        }
+        Ok(Self {
+            indices,
+            depths,
+            width,
+            rows,
+        })
+    }
+
+    /// Width in pixels, 1..=2048.
+    pub fn width(&self) -> u16 {
+        self.width
+    }
+
+    /// Rows that fit, 1..=2048.
+    pub fn rows(&self) -> u16 {
+        self.rows
+    }
+
+    /// The part that stands for screen rows `top..end`; at most as many as fit.
+    pub fn target(&mut self, top: u16, end: u16) -> Target<'_> {
+        let end = end.max(top).min(top.saturating_add(self.rows));
+        let pixels = usize::from(end - top) * usize::from(self.width);
+        Target {
+            indices: self.indices.get_mut(..pixels).unwrap_or_default(),
+            depths: self.depths.get_mut(..pixels).unwrap_or_default(),
+            width: self.width,
+            top,
+            end,
+        }
+    }
+}
+
+/// Screen rows being drawn.
+#[derive(Debug)]
+pub struct Target<'a> {
+    /// Palette indices, row by row.
+    pub indices: &'a mut [u8],
+    /// Depths, row by row; 0 where nothing is.
+    pub depths: &'a mut [Depth],
+    /// Pixels in a row.
+    pub width: u16,
+    /// First screen row.
+    pub top: u16,
+    /// One past the last screen row.
+    pub end: u16,
+}
+
+impl Target<'_> {
+    /// Empties the rows: depth 0, and in row `y` the index that `background`
+    /// gives for it.
+    pub fn clear(&mut self, mut background: impl FnMut(u16) -> u8) {
+        self.depths.fill(0);
+        let rows = self
+            .indices
+            .chunks_exact_mut(usize::from(self.width).max(1));
+        for (y, row) in (self.top..self.end).zip(rows) {
+            row.fill(background(y));
+        }
+    }
+
+    /// The finished rows.
+    pub fn finished(&self) -> BandRows<'_> {
+        BandRows {
+            indices: self.indices,
+            depths: self.depths,
+            width: self.width,
+            top: self.top,
+        }
+    }
+}
+
+/// Finished rows, for a display.
+#[derive(Clone, Copy, Debug)]
+pub struct BandRows<'a> {
+    /// Palette indices, row by row.
+    pub indices: &'a [u8],
+    /// Depths, row by row; 0 where nothing is.
+    pub depths: &'a [Depth],
+    /// Pixels in a row.
+    pub width: u16,
+    /// The first row's place on the screen.
+    pub top: u16,
+}
+
+impl BandRows<'_> {
+    /// Number of rows.
+    pub fn rows(&self) -> u16 {
+        self.indices
+            .len()
+            .checked_div(usize::from(self.width))
+            .unwrap_or(0) as u16
+    }
+}

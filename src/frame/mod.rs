@@ -1,0 +1,7 @@
+//! Rows of the picture in RAM. In: buffers of the application. Out: [`Band`],
+//! which `raster` draws into and `display` reads. Plain data; imports only
+//! number formats.
+
+mod band;
+
+pub use band::{Band, BandError, BandRows, Target};

@@ -1,0 +1,27 @@
+//! Number formats and the arithmetic that every stage shares.
+//! In: raw integers. Out: typed fixed-point quantities, exact products and
+//! quotients, tables with a stated error. Used by all stages; imports none.
+
+mod angle;
+mod formats;
+mod quotient;
+mod recip;
+mod rotation;
+mod rsqrt;
+mod transform;
+mod vector;
+
+pub use angle::Angle;
+pub use formats::{
+    Depth, FineDepth, FineLevel, HALF_PX, Level, MAX_SCREEN, SUBPX_BITS, SubPx, World,
+};
+pub use quotient::{ceil_div, floor_div};
+pub use recip::{Reciprocal, mul_high, reciprocal};
+pub use rotation::Rotation;
+pub(crate) use rsqrt::normal_length_recip;
+pub(crate) use transform::view_rotation;
+pub use transform::{Clip, Model, Space, Transform, View, World as WorldSpace};
+pub use vector::{Unit3, Vec3, cross, dot, normalise};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,86 @@
+//! Rotation matrices in Q30.
+
+use super::{Angle, Unit3, dot};
+
+/// A rotation: three rows of Q30 entries.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rotation {
+    /// Rows.
+    pub rows: [Unit3; 3],
+}
+
+const ONE: i32 = 1 << 30;
+
+impl Rotation {
+    /// Leaves everything in place.
+    pub const IDENTITY: Self = Self {
+        rows: [[ONE, 0, 0], [0, ONE, 0], [0, 0, ONE]],
+    };
+
+    /// About the x axis: y turns towards z.
+    pub fn about_x(angle: Angle) -> Self {
+        let (s, c) = angle.sin_cos();
+        Self {
+            rows: [[ONE, 0, 0], [0, c, -s], [0, s, c]],
+        }
+    }
+
+    /// About the y axis: z turns towards x.
+    pub fn about_y(angle: Angle) -> Self {
+        let (s, c) = angle.sin_cos();
+        Self {
+            rows: [[c, 0, s], [0, ONE, 0], [-s, 0, c]],
+        }
+    }
+
+    /// About the z axis: x turns towards y.
+    pub fn about_z(angle: Angle) -> Self {
+        let (s, c) = angle.sin_cos();
+        Self {
+            rows: [[c, -s, 0], [s, c, 0], [0, 0, ONE]],
+        }
+    }
+
+    /// About y, then x, then z: VTK's order for an actor's orientation.
+    pub fn from_orientation([x, y, z]: [Angle; 3]) -> Self {
+        Self::about_y(y)
+            .then(&Self::about_x(x))
+            .then(&Self::about_z(z))
+    }
+
+    /// First `self`, then `next`: the matrix product `next * self`.
+    #[must_use]
+    pub fn then(&self, next: &Self) -> Self {
+        let columns = self.transposed().rows;
+        Self {
+            rows: next.rows.map(|row| columns.map(|column| dot(row, column))),
+        }
+    }
+
+    /// The inverse.
+    #[must_use]
+    pub fn transposed(&self) -> Self {
+        let [[a, b, c], [d, e, f], [g, h, i]] = self.rows;
+        Self {
+            rows: [[a, d, g], [b, e, h], [c, f, i]],
+        }
+    }
+
+    /// Turns a direction.
+    pub fn apply(&self, v: Unit3) -> Unit3 {
+        self.rows.map(|row| dot(row, v))
+    }
+
+    /// Turns a vector of any scale below 2^47, rounded down.
+    pub fn apply_wide(&self, [x, y, z]: [i64; 3]) -> [i64; 3] {
+        self.rows
+            .map(|[a, b, c]| scale_q30(a, x) + scale_q30(b, y) + scale_q30(c, z))
+    }
+}
+
+/// `a * v / 2^30` for `|v| < 2^48`, rounded down, without 128-bit products.
+pub(super) fn scale_q30(a: i32, v: i64) -> i64 {
+    let (high, low) = (v >> 15, v & 0x7fff);
+    // a * high is a multiple of 2^15 in the product's scale.
+    (i64::from(a) * high + ((i64::from(a) * low) >> 15)) >> 15
+}

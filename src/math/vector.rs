@@ -1,0 +1,88 @@
+//! Vectors in space, and the exact products that the view needs once a frame.
+
+use super::World;
+
+/// A place or a distance in space.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Vec3 {
+    /// To the right.
+    pub x: World,
+    /// Up.
+    pub y: World,
+    /// Towards the viewer (right-handed).
+    pub z: World,
+}
+
+impl Vec3 {
+    /// The origin.
+    pub const ZERO: Self = Self::from_bits([0; 3]);
+
+    /// From three lengths.
+    pub const fn new(x: World, y: World, z: World) -> Self {
+        Self { x, y, z }
+    }
+
+    /// From three whole numbers.
+    pub const fn from_ints(x: i16, y: i16, z: i16) -> Self {
+        Self::from_bits([(x as i32) << 16, (y as i32) << 16, (z as i32) << 16])
+    }
+
+    /// From raw bits of [`World`] lengths.
+    pub const fn from_bits(bits: [i32; 3]) -> Self {
+        let [x, y, z] = bits;
+        Self {
+            x: World::from_bits(x),
+            y: World::from_bits(y),
+            z: World::from_bits(z),
+        }
+    }
+
+    /// Raw bits of the three lengths.
+    pub const fn to_bits(self) -> [i32; 3] {
+        [self.x.to_bits(), self.y.to_bits(), self.z.to_bits()]
+    }
+
+    /// `self - other` in raw bits, exact.
+    pub(crate) fn minus(self, other: Self) -> [i64; 3] {
+        let ([ax, ay, az], [bx, by, bz]) = (self.to_bits(), other.to_bits());
+        [
+            i64::from(ax) - i64::from(bx),
+            i64::from(ay) - i64::from(by),
+            i64::from(az) - i64::from(bz),
+        ]
+    }
+}
+
+/// A direction of length 1: components in Q30, -2^30..=2^30.
+pub type Unit3 = [i32; 3];
+
+/// The direction of `v`, which may have any scale below 2^62; a vector of
+/// length 0 gives `None`. Error below 2^-28 a component.
+pub fn normalise(v: [i64; 3]) -> Option<Unit3> {
+    let [x, y, z] = v;
+    let largest = x.unsigned_abs().max(y.unsigned_abs()).max(z.unsigned_abs());
+    if largest == 0 {
+        return None;
+    }
+    // Bring the largest component to 30 bits.
+    let shift = 30 - (64 - largest.leading_zeros() as i32);
+    let fit = |c: i64| if shift >= 0 { c << shift } else { c >> -shift };
+    let (x, y, z) = (fit(x), fit(y), fit(z));
+    let squared = (x * x + y * y + z * z) as u64;
+    let length = squared.isqrt().max(1) as i64;
+    let unit = |c: i64| ((c << 30) / length).clamp(-(1 << 30), 1 << 30) as i32;
+    Some([unit(x), unit(y), unit(z)])
+}
+
+/// Cross product of two Q30 directions, in Q60 before any rounding.
+pub fn cross(a: Unit3, b: Unit3) -> [i64; 3] {
+    let ([ax, ay, az], [bx, by, bz]) = (a.map(i64::from), b.map(i64::from));
+    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
+}
+
+/// Dot product of two Q30 directions in Q30, rounded to nearest.
+pub fn dot(a: Unit3, b: Unit3) -> i32 {
+    let ([ax, ay, az], [bx, by, bz]) = (a.map(i64::from), b.map(i64::from));
+    // Two directions of length 1: at most 1 + 2^-27.
+    ((ax * bx + ay * by + az * bz + (1 << 29)) >> 30) as i32
+}

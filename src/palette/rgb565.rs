@@ -1,0 +1,50 @@
+//! 16-bit colour.
+
+use super::Palette;
+
+/// 5, 6 and 5 bits of red, green and blue, each rounded to nearest.
+pub const fn rgb565([r, g, b]: [u8; 3]) -> u16 {
+    const fn round(v: u8, most: u16) -> u16 {
+        (v as u16 * most + 127) / 255
+    }
+    round(r, 31) << 11 | round(g, 63) << 5 | round(b, 31)
+}
+
+/// A look-up table from index to RGB565 in the byte order of panels: high byte
+/// first. 512 bytes.
+#[derive(Clone, Debug)]
+pub struct Rgb565Table {
+    table: [u16; 256],
+}
+
+impl Default for Rgb565Table {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Rgb565Table {
+    /// All black.
+    pub const fn new() -> Self {
+        Self { table: [0; 256] }
+    }
+
+    /// Takes over a palette.
+    pub fn set(&mut self, palette: &Palette<'_>) {
+        for (entry, colour) in self.table.iter_mut().zip(palette.colours) {
+            *entry = rgb565(*colour).to_be();
+        }
+    }
+
+    /// The colour of each index, in the byte order of panels; as many as both
+    /// slices hold.
+    #[inline]
+    pub fn resolve(&self, indices: &[u8], pixels: &mut [u16]) {
+        for (pixel, index) in pixels.iter_mut().zip(indices) {
+            #[expect(clippy::indexing_slicing, reason = "a byte indexes 256 entries")]
+            {
+                *pixel = self.table[usize::from(*index)];
+            }
+        }
+    }
+}

@@ -1,0 +1,19 @@
+//! Scan conversion. In: three [`ScreenVertex`](crate::vertex::ScreenVertex) and
+//! what to fill them with. Out: indices and depths in a
+//! [`Target`](crate::frame::Target). Used by `render`.
+//!
+//! A pixel belongs to a triangle if its centre lies inside, or on a top or a
+//! left edge. Edges are followed in exact integer quotients and remainders
+//! (Bresenham's error term), so the rule holds to the last sub-pixel bit, and
+//! two triangles of one edge share it without gap or overlap.
+
+mod edge;
+mod gradient;
+mod span;
+mod triangle;
+
+pub use span::Fill;
+pub use triangle::{Facing, draw_triangle, facing};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,53 @@
+//! The inner loops: one run of pixels in one row.
+//!
+//! Each kernel steps a depth in 16.16 and writes where it is nearer than what
+//! stands there. Slices are cut once a span, so that no index is checked in the
+//! loop.
+
+use crate::math::Depth;
+
+/// What a triangle is filled with.
+#[derive(Clone, Copy, Debug)]
+pub enum Fill<'a> {
+    /// One palette index.
+    Flat(u8),
+    /// The vertices' light level, interpolated, through a shade table's row.
+    Gouraud(&'a [u8; 256]),
+}
+
+/// One palette index. About 9 instructions a hidden pixel, 11 a drawn one on
+/// Cortex-M4.
+#[inline(always)]
+pub(super) fn flat(indices: &mut [u8], depths: &mut [Depth], mut z: u32, dz: i32, index: u8) {
+    for (pixel, depth) in indices.iter_mut().zip(depths) {
+        let here = (z >> 16) as Depth;
+        if here > *depth {
+            *depth = here;
+            *pixel = index;
+        }
+        z = z.wrapping_add_signed(dz);
+    }
+}
+
+/// A light level in 16.16 through a shade table's row.
+#[inline(always)]
+pub(super) fn gouraud(
+    indices: &mut [u8],
+    depths: &mut [Depth],
+    (mut z, dz): (u32, i32),
+    (mut level, dl): (u32, i32),
+    shades: &[u8; 256],
+) {
+    for (pixel, depth) in indices.iter_mut().zip(depths) {
+        let here = (z >> 16) as Depth;
+        if here > *depth {
+            *depth = here;
+            #[expect(clippy::indexing_slicing, reason = "eight bits index 256 entries")]
+            {
+                *pixel = shades[((level >> 16) & 0xff) as usize];
+            }
+        }
+        z = z.wrapping_add_signed(dz);
+        level = level.wrapping_add_signed(dl);
+    }
+}

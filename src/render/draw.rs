@@ -1,0 +1,117 @@
+//! One meshlet into one band.
+
+use super::meshlet_cache::MeshletCache;
+use super::paint::{Ids, Paint};
+use super::stats::FrameStats;
+use super::visible_list::Entry;
+use crate::clip::clip;
+use crate::frame::Target;
+use crate::raster::{Facing, draw_triangle, facing};
+use crate::scene::layout::MESHLET_VERTICES;
+use crate::scene::{Cull, Meshlet, Scene, Shading};
+use crate::vertex::{ScreenVertex, TransformedMeshlet, transform_meshlet, vertex};
+use crate::view::{ActorView, MeshletRows, round_level};
+
+/// Draws the triangles of a listed meshlet.
+pub(super) fn draw_meshlet<P: Paint>(
+    paint: &P,
+    scene: &Scene<'_>,
+    view: &ActorView,
+    entry: &Entry,
+    cache: &mut MeshletCache<'_>,
+    target: &mut Target<'_>,
+    stats: &mut FrameStats,
+) {
+    let Some(meshlet) = scene.meshlet(entry.meshlet) else {
+        return;
+    };
+    let key = (entry.actor, entry.meshlet);
+    let transformed = cache.get(key, entry.end_row, target.end, |out| {
+        stats.meshlets_transformed += 1;
+        stats.vertices += u32::from(meshlet.vertices);
+        transform_meshlet(scene, view, &meshlet, out);
+    });
+    let Some(vertices) = transformed else { return };
+
+    let shades = scene.shade(&view.material);
+    let flat = view.material.shading == Shading::Flat;
+    let normals = scene.meshlet_face_normals(&meshlet, &view.mesh);
+    for (i, indices) in scene.meshlet_triangles(&meshlet).iter().enumerate() {
+        stats.triangles += 1;
+        let triangle = indices.map(|index| corner(vertices, index));
+        let [a, b, c] = triangle.map(|v| v.outside);
+        if a & b & c != 0 {
+            stats.triangles_outside += 1;
+            continue;
+        }
+        let crosses = a | b | c != 0;
+        if !crosses && left_out(view.material.cull, facing(triangle)) {
+            stats.triangles_away += 1;
+            continue;
+        }
+        let level = if flat {
+            let normal = normals.get(i).copied().unwrap_or_default();
+            Some(round_level(view.lights.level(normal)))
+        } else {
+            None
+        };
+        let ids = Ids {
+            actor: entry.actor,
+            triangle: meshlet.first_triangle + i as u32,
+        };
+        let fill = paint.fill(shades, level, ids);
+        if !crosses {
+            stats.triangles_drawn += 1;
+            draw_triangle(target, triangle, fill);
+            continue;
+        }
+        stats.triangles_clipped += 1;
+        let corners = clip_corners(scene, view, &meshlet, indices);
+        let polygon = clip(view, corners);
+        let Some((first, rest)) = polygon.vertices().split_first() else {
+            continue;
+        };
+        for (b, c) in rest.iter().zip(rest.iter().skip(1)) {
+            let part = [first, b, c];
+            if !left_out(view.material.cull, facing(part)) {
+                stats.triangles_drawn += 1;
+                draw_triangle(target, part, fill);
+            }
+        }
+    }
+}
+
+/// A meshlet's vertex by index.
+#[inline(always)]
+fn corner(vertices: &TransformedMeshlet, index: u8) -> &ScreenVertex {
+    #[expect(clippy::indexing_slicing, reason = "held below the array's length")]
+    &vertices[usize::from(index) % MESHLET_VERTICES]
+}
+
+fn left_out(cull: Cull, facing: Facing) -> bool {
+    match facing {
+        Facing::Front => cull == Cull::Front,
+        Facing::Back => cull == Cull::Back,
+        Facing::Edge => true,
+    }
+}
+
+/// The corners of a triangle in clip space. Kept vertices have no clip
+/// coordinates: they are made again for the few triangles that need them.
+#[cold]
+fn clip_corners(
+    scene: &Scene<'_>,
+    view: &ActorView,
+    meshlet: &Meshlet,
+    indices: &[u8; 3],
+) -> [crate::vertex::ClipVertex; 3] {
+    let rows = MeshletRows::new(view, meshlet);
+    let vertices = scene.meshlet_vertices(meshlet);
+    indices.map(|index| {
+        let stored = vertices
+            .get(usize::from(index))
+            .copied()
+            .unwrap_or_default();
+        vertex(&rows, view, stored)
+    })
+}

@@ -1,0 +1,120 @@
+//! The data path, in order.
+
+use super::actors::Actors;
+use super::draw::draw_meshlet;
+use super::meshlet_cache::MeshletCache;
+use super::paint::{Paint, Shaded};
+use super::scratch::Workspace;
+use super::stats::FrameStats;
+use super::visible_list::{self, Cursor};
+use crate::display::Display;
+use crate::frame::Band;
+use crate::palette::Palette;
+use crate::scene::{Pose, Scene};
+use crate::view::ViewFrame;
+
+/// Draws a frame: `pose.height` rows as wide as the band, in as many bands as
+/// that takes, each shown as soon as it is finished.
+///
+/// # Errors
+/// Those of the display; drawing itself cannot fail.
+pub fn render_frame<D: Display>(
+    scene: &Scene<'_>,
+    pose: &Pose<'_>,
+    work: &mut Workspace<'_>,
+    band: &mut Band<'_>,
+    display: &mut D,
+) -> Result<FrameStats, D::Error> {
+    render_frame_with(&Shaded, scene, pose, work, band, display)
+}
+
+/// Draws a frame whose indices mean what `paint` says; see [`render_frame`].
+///
+/// # Errors
+/// Those of the display; drawing itself cannot fail.
+pub fn render_frame_with<P: Paint, D: Display>(
+    paint: &P,
+    scene: &Scene<'_>,
+    pose: &Pose<'_>,
+    work: &mut Workspace<'_>,
+    band: &mut Band<'_>,
+    display: &mut D,
+) -> Result<FrameStats, D::Error> {
+    let mut stats = FrameStats::default();
+    let (width, height) = (band.width(), pose.height);
+
+    // 1. The camera; the actors' matrices and lights follow when first needed.
+    let frame = ViewFrame::new(&pose.camera, width, height);
+    let mut actors = Actors::new(scene, pose, &frame, work.actors);
+
+    // 2. Meshlets that may be seen, near ones first: for the whole frame if the
+    //    list holds them, else for each band in turn.
+    let mut cursor = Some(Cursor::default());
+    let all_rows = 0..height;
+    let whole = visible_list::fill(
+        work.entries,
+        &mut cursor,
+        scene,
+        &mut actors,
+        &all_rows,
+        height,
+        &mut stats,
+    );
+    let whole = cursor.is_none().then_some(whole.len());
+    let mut cache = MeshletCache::new(work.slots);
+
+    display.begin(&Palette {
+        colours: scene.palette(),
+    })?;
+    let mut top = 0;
+    while top < height {
+        let rows = top..top.saturating_add(band.rows()).min(height);
+        let mut target = band.target(rows.start, rows.end);
+        target.clear(|y| paint.background(scene.background(y, height)));
+        stats.bands += 1;
+
+        let mut cursor = whole.is_none().then(Cursor::default);
+        loop {
+            let list = match whole {
+                Some(count) => work.entries.get(..count).unwrap_or_default(),
+                None => {
+                    stats.list_refills += 1;
+                    visible_list::fill(
+                        work.entries,
+                        &mut cursor,
+                        scene,
+                        &mut actors,
+                        &rows,
+                        height,
+                        &mut stats,
+                    )
+                }
+            };
+            for entry in list.iter().filter(|entry| entry.touches(&rows)) {
+                // 3. Vertices: transform, project, light - or as kept from the
+                //    band before. 4. Triangles: back faces, clipping, setup,
+                //    spans.
+                let Some(view) = actors.get(entry.actor) else {
+                    continue;
+                };
+                draw_meshlet(
+                    paint,
+                    scene,
+                    view,
+                    entry,
+                    &mut cache,
+                    &mut target,
+                    &mut stats,
+                );
+            }
+            if cursor.is_none() {
+                break;
+            }
+        }
+
+        // 5. The finished rows.
+        display.show(target.finished())?;
+        top = rows.end;
+    }
+    Ok(stats)
+}

@@ -1,0 +1,80 @@
+//! Transformed meshlets, kept from band to band.
+
+use crate::math::{FineDepth, FineLevel, SubPx};
+use crate::scene::layout::MESHLET_VERTICES;
+use crate::vertex::{ScreenVertex, TransformedMeshlet};
+
+/// Room for one transformed meshlet.
+#[derive(Clone, Copy, Debug)]
+pub struct Slot {
+    /// Actor and meshlet.
+    key: Option<(u16, u32)>,
+    /// One past the last row that needs it.
+    until: u16,
+    vertices: TransformedMeshlet,
+}
+
+impl Slot {
+    pub(super) const EMPTY: Self = Self {
+        key: None,
+        until: 0,
+        vertices: [ScreenVertex {
+            x: SubPx::ZERO,
+            y: SubPx::ZERO,
+            z: FineDepth::ZERO,
+            level: FineLevel::ZERO,
+            outside: 0,
+        }; MESHLET_VERTICES],
+    };
+}
+
+/// The slots of a frame. The first is for meshlets that the next band does not
+/// need, and for those that find no other; the others keep what they hold until
+/// its last row is past. So the nearest meshlets, which come first in each
+/// band, are never pushed out by those behind them.
+pub(super) struct MeshletCache<'a> {
+    slots: &'a mut [Slot],
+}
+
+impl<'a> MeshletCache<'a> {
+    pub(super) fn new(slots: &'a mut [Slot]) -> Self {
+        for slot in &mut *slots {
+            slot.key = None;
+        }
+        Self { slots }
+    }
+
+    /// The meshlet's vertices, from a slot or through `transform`. `until` is
+    /// one past its last row, `band_end` one past the band's.
+    pub(super) fn get(
+        &mut self,
+        key: (u16, u32),
+        until: u16,
+        band_end: u16,
+        transform: impl FnOnce(&mut TransformedMeshlet),
+    ) -> Option<&TransformedMeshlet> {
+        let held = self.slots.iter().position(|slot| slot.key == Some(key));
+        let which = held.unwrap_or_else(|| self.choose(until, band_end));
+        let slot = self.slots.get_mut(which)?;
+        if held.is_none() {
+            transform(&mut slot.vertices);
+            slot.key = Some(key);
+            slot.until = until;
+        }
+        if slot.until <= band_end {
+            // Not needed again: free for the next one.
+            slot.key = None;
+        }
+        Some(&slot.vertices)
+    }
+
+    fn choose(&self, until: u16, band_end: u16) -> usize {
+        if until <= band_end {
+            return 0;
+        }
+        let mut others = self.slots.iter().enumerate().skip(1);
+        others
+            .find(|(_, slot)| slot.key.is_none())
+            .map_or(0, |(which, _)| which)
+    }
+}

@@ -1,0 +1,21 @@
+//! One frame: the one place that knows all stages. In: a
+//! [`Scene`](crate::scene::Scene), a [`Pose`](crate::scene::Pose), a
+//! [`Scratch`] and a [`Band`](crate::frame::Band). Out: rows to a
+//! [`Display`](crate::display::Display), and [`FrameStats`].
+
+mod actors;
+mod draw;
+mod frame;
+mod meshlet_cache;
+mod paint;
+mod scratch;
+mod stats;
+mod visible_list;
+
+pub use frame::{render_frame, render_frame_with};
+pub use paint::{Ids, Paint, PaintActor, PaintLevel, PaintTriangle, Shaded};
+pub use scratch::{Scratch, Workspace};
+pub use stats::FrameStats;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,63 @@
+//! The renderer's working memory: its size is the application's choice.
+
+use super::actors::ActorSlot;
+use super::meshlet_cache::Slot;
+use super::visible_list::Entry;
+
+/// Working memory of a fixed size; put it into a `static`. None of the sizes
+/// changes the picture, only the speed:
+///
+/// * `MESHLETS` that are listed at once, 12 bytes each. If a frame has more
+///   that are visible, each band makes its own list.
+/// * `SLOTS` of transformed meshlets that are kept from band to band, 1.3 KB
+///   each, at least 1. A meshlet that reaches into the next band and finds no
+///   slot is transformed again there.
+/// * `ACTORS` whose matrices are kept for the frame, about 0.3 KB each, at
+///   least 1. Beyond that they are made again in each band.
+#[derive(Debug)]
+pub struct Scratch<const MESHLETS: usize, const SLOTS: usize, const ACTORS: usize> {
+    entries: [Entry; MESHLETS],
+    slots: [Slot; SLOTS],
+    actors: [ActorSlot; ACTORS],
+}
+
+impl<const MESHLETS: usize, const SLOTS: usize, const ACTORS: usize>
+    Scratch<MESHLETS, SLOTS, ACTORS>
+{
+    const SOME_OF_EACH: () = assert!(MESHLETS > 0 && SLOTS > 0 && ACTORS > 0);
+
+    /// Empty.
+    pub const fn new() -> Self {
+        let () = Self::SOME_OF_EACH;
+        Self {
+            entries: [Entry::EMPTY; MESHLETS],
+            slots: [Slot::EMPTY; SLOTS],
+            actors: [ActorSlot::EMPTY; ACTORS],
+        }
+    }
+
+    /// The memory without its sizes, for [`render_frame`](super::render_frame).
+    pub fn workspace(&mut self) -> Workspace<'_> {
+        Workspace {
+            entries: &mut self.entries,
+            slots: &mut self.slots,
+            actors: &mut self.actors,
+        }
+    }
+}
+
+impl<const MESHLETS: usize, const SLOTS: usize, const ACTORS: usize> Default
+    for Scratch<MESHLETS, SLOTS, ACTORS>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// A [`Scratch`] of any size.
+#[derive(Debug)]
+pub struct Workspace<'a> {
+    pub(super) entries: &'a mut [Entry],
+    pub(super) slots: &'a mut [Slot],
+    pub(super) actors: &'a mut [ActorSlot],
+}

@@ -1,0 +1,31 @@
+//! What a frame took.
+
+/// Counts of one frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FrameStats {
+    /// Bands that the frame was drawn in.
+    pub bands: u32,
+    /// Meshlets whose bounds were looked at.
+    pub meshlets: u32,
+    /// Meshlets left out because they are beyond a side of the view.
+    pub meshlets_outside: u32,
+    /// Meshlets left out because they show only faces that are not drawn.
+    pub meshlets_away: u32,
+    /// Times that a band's list of meshlets had to be made anew because the
+    /// frame's did not fit the scratch: each costs a look at all bounds.
+    pub list_refills: u32,
+    /// Meshlets transformed.
+    pub meshlets_transformed: u32,
+    /// Vertices transformed.
+    pub vertices: u32,
+    /// Triangles looked at.
+    pub triangles: u32,
+    /// Triangles left out because of the side they show.
+    pub triangles_away: u32,
+    /// Triangles left out because they are beyond a plane.
+    pub triangles_outside: u32,
+    /// Triangles that were clipped.
+    pub triangles_clipped: u32,
+    /// Triangles handed to the rasteriser, counted again in each band.
+    pub triangles_drawn: u32,
+}

@@ -1,0 +1,158 @@
+//! Accessors that cannot fail: indices were checked when the scene was parsed.
+
+use super::{Actor, ColourFormat, Header, Light, Material, Mesh, Meshlet, Record, Scene, Shading};
+
+impl<'a> Scene<'a> {
+    /// Screen width in pixels.
+    pub fn width(&self) -> u16 {
+        self.header.width
+    }
+
+    /// Screen height in pixels.
+    pub fn height(&self) -> u16 {
+        self.header.height
+    }
+
+    /// The header's words.
+    pub fn header(&self) -> &Header {
+        &self.header
+    }
+
+    /// World units are scene units times 2 to this power.
+    pub fn world_exponent(&self) -> i8 {
+        self.header.world_exponent
+    }
+
+    /// What the panel can show.
+    pub fn colour_format(&self) -> ColourFormat {
+        let code = usize::from(self.header.colour_format);
+        ColourFormat::ALL
+            .get(code)
+            .copied()
+            .unwrap_or(ColourFormat::Rgb888)
+    }
+
+    /// Red, green, blue of each palette entry, 2..=256 of them.
+    pub fn palette(&self) -> &'a [[u8; 3]] {
+        self.palette
+    }
+
+    /// Palette index of the background in screen row `y` of `height`.
+    pub fn background(&self, y: u16, height: u16) -> u8 {
+        let rows = self.background.len() as u32;
+        let at = (u32::from(y) * rows) / u32::from(height).max(1);
+        self.background.get(at as usize).copied().unwrap_or(0)
+    }
+
+    /// Palette index by light level, for one material.
+    pub fn shade(&self, material: &Material) -> &'a [u8; 256] {
+        const BLACK: &[u8; 256] = &[0; 256];
+        self.shades
+            .get(usize::from(material.shade))
+            .unwrap_or(BLACK)
+    }
+
+    /// Lights that have a direction.
+    pub fn lights(&self) -> impl ExactSizeIterator<Item = Light> + use<'a> {
+        self.lights.iter().map(Light::from_words)
+    }
+
+    /// Number of actors.
+    pub fn actor_count(&self) -> u16 {
+        self.actors.len() as u16
+    }
+
+    /// An actor; an index out of range gives an actor without meshlets.
+    pub fn actor(&self, index: u16) -> Actor {
+        read(self.actors, usize::from(index)).unwrap_or(Actor {
+            mesh: u16::MAX,
+            material: 0,
+            position: [0; 3],
+            orientation: [0; 3],
+            offset: [0; 3],
+            step_mantissa: 1 << 31,
+            step_exponent: 0,
+        })
+    }
+
+    /// A material; an index out of range gives a plain one.
+    pub fn material(&self, index: u16) -> Material {
+        read(self.materials, usize::from(index)).unwrap_or(Material {
+            shading: Shading::Gouraud,
+            cull: super::Cull::Back,
+            shade: 0,
+            ambient: 0,
+            diffuse: 0,
+        })
+    }
+
+    /// A mesh; an index out of range gives an empty one.
+    pub fn mesh(&self, index: u16) -> Mesh {
+        read(self.meshes, usize::from(index)).unwrap_or(Mesh {
+            first_meshlet: 0,
+            meshlets: 0,
+            radius: 1 << 12,
+            face_normals: false,
+        })
+    }
+
+    /// Number of meshlets of all meshes.
+    pub fn meshlet_count(&self) -> usize {
+        self.meshlets.len()
+    }
+
+    /// Number of triangles of all meshes.
+    pub fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// Number of vertices of all meshes.
+    pub fn vertex_count(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// A meshlet by its place in the scene's list.
+    pub fn meshlet(&self, index: u32) -> Option<Meshlet> {
+        read(self.meshlets, index as usize)
+    }
+
+    /// A meshlet's vertices: distance from its base in grid steps, and the
+    /// octahedral normal's two bytes.
+    pub fn meshlet_vertices(&self, meshlet: &Meshlet) -> &'a [[i16; 4]] {
+        run(
+            self.vertices,
+            meshlet.first_vertex as usize,
+            meshlet.vertices,
+        )
+    }
+
+    /// A meshlet's triangles: indices into its vertices.
+    pub fn meshlet_triangles(&self, meshlet: &Meshlet) -> &'a [[u8; 3]] {
+        run(
+            self.triangles,
+            meshlet.first_triangle as usize,
+            meshlet.triangles,
+        )
+    }
+
+    /// A meshlet's octahedral face normals; empty if its mesh has none.
+    pub fn meshlet_face_normals(&self, meshlet: &Meshlet, mesh: &Mesh) -> &'a [[i8; 2]] {
+        if !mesh.face_normals {
+            return &[];
+        }
+        run(
+            self.face_normals,
+            meshlet.first_triangle as usize,
+            meshlet.triangles,
+        )
+    }
+}
+
+fn read<R: Record>(records: &[R::Words], index: usize) -> Option<R> {
+    records.get(index).map(R::from_words)
+}
+
+fn run<T>(all: &[T], first: usize, count: u8) -> &[T] {
+    all.get(first..first.saturating_add(usize::from(count)))
+        .unwrap_or_default()
+}

@@ -1,0 +1,44 @@
+//! The scene in flash. In: the bytes of a `.fxl` blob. Out: [`Scene`], checked
+//! once and then read in place, and the [`Pose`] it takes in a frame. Used by
+//! every later stage; imports only number formats.
+
+mod access;
+mod error;
+mod parse;
+mod pose;
+mod records;
+
+pub use error::{Field, SceneError, Section};
+pub use parse::Scene;
+pub use pose::{Camera, Placement, Pose, Projection};
+pub use records::{
+    Actor, ColourFormat, Cull, Header, Light, Material, Mesh, Meshlet, Record, Shading, checksum,
+};
+
+/// Sizes and limits of the blob.
+pub mod layout {
+    /// `FXL1`.
+    pub const MAGIC: u32 = u32::from_le_bytes(*b"FXL1");
+    /// Version of the layout. A reader refuses any other.
+    pub const VERSION: u32 = 1;
+    /// Words of the header, before the section table.
+    pub const HEADER_WORDS: usize = 24;
+    /// Sections; each has two words in the table: byte offset and count.
+    pub const SECTIONS: usize = 11;
+    /// Bytes before the first section.
+    pub const PREFIX_BYTES: usize = 4 * (HEADER_WORDS + 2 * SECTIONS);
+    /// Where the checksum starts: after magic, version, length, checksum.
+    pub const CHECKED_FROM: usize = 16;
+    /// Vertices in a meshlet.
+    pub const MESHLET_VERTICES: usize = 64;
+    /// Triangles in a meshlet.
+    pub const MESHLET_TRIANGLES: usize = 128;
+    /// Lights with a direction.
+    pub const LIGHTS: usize = 8;
+    /// Half of a mesh's grid: vertices are within this many steps of its
+    /// centre along each axis.
+    pub const GRID_HALF: i32 = 1 << 21;
+}
+
+#[cfg(test)]
+mod tests;

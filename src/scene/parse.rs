@@ -1,0 +1,374 @@
+//! Bytes become a scene: everything is checked here, once, so that drawing
+//! never has to.
+
+use bytemuck::{AnyBitPattern, try_cast_slice};
+
+use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
+use super::{
+    Actor, ColourFormat, Field, Header, Light, Material, Mesh, Meshlet, Record, SceneError,
+    Section, checksum,
+};
+
+/// A checked scene, read in place from flash.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene<'a> {
+    pub(crate) header: Header,
+    pub(crate) palette: &'a [[u8; 3]],
+    pub(crate) shades: &'a [[u8; 256]],
+    pub(crate) background: &'a [u8],
+    pub(crate) lights: &'a [<Light as Record>::Words],
+    pub(crate) materials: &'a [<Material as Record>::Words],
+    pub(crate) actors: &'a [<Actor as Record>::Words],
+    pub(crate) meshes: &'a [<Mesh as Record>::Words],
+    pub(crate) meshlets: &'a [<Meshlet as Record>::Words],
+    pub(crate) vertices: &'a [[i16; 4]],
+    pub(crate) triangles: &'a [[u8; 3]],
+    pub(crate) face_normals: &'a [[i8; 2]],
+}
+
+impl<'a> Scene<'a> {
+    /// Checks a baked scene. The bytes must start at a multiple of 4.
+    ///
+    /// # Errors
+    /// Says what is wrong and where; see [`SceneError`].
+    pub fn parse(bytes: &'a [u8]) -> Result<Self, SceneError> {
+        if bytes.len() < layout::PREFIX_BYTES {
+            return Err(SceneError::TooShort { bytes: bytes.len() });
+        }
+        let whole_words = bytes.get(..bytes.len() & !3).unwrap_or_default();
+        let words: &[u32] = try_cast_slice(whole_words).map_err(|_| SceneError::Misaligned)?;
+        let (first, rest) = words
+            .split_first_chunk::<{ layout::HEADER_WORDS }>()
+            .ok_or(SceneError::TooShort { bytes: bytes.len() })?;
+        let [magic, version, ..] = *first;
+        if u32::from_le(magic) != layout::MAGIC {
+            return Err(SceneError::NotAScene);
+        }
+        if u32::from_le(version) != layout::VERSION {
+            return Err(SceneError::Version {
+                found: u32::from_le(version),
+            });
+        }
+        let header = Header::from_words(first);
+        if header.length as usize != bytes.len() || bytes.len() % 4 != 0 {
+            return Err(SceneError::Length {
+                stated: header.length,
+                bytes: bytes.len(),
+            });
+        }
+        let found = checksum(words.get(layout::CHECKED_FROM / 4..).unwrap_or_default());
+        if found != header.checksum {
+            return Err(SceneError::Checksum {
+                stated: header.checksum,
+                found,
+            });
+        }
+        check_header(&header)?;
+
+        let mut table = rest.chunks_exact(2).zip(Section::ALL);
+        let scene = Self {
+            header,
+            palette: section(bytes, &mut table)?,
+            shades: section(bytes, &mut table)?,
+            background: section(bytes, &mut table)?,
+            lights: section(bytes, &mut table)?,
+            materials: section(bytes, &mut table)?,
+            actors: section(bytes, &mut table)?,
+            meshes: section(bytes, &mut table)?,
+            meshlets: section(bytes, &mut table)?,
+            vertices: section(bytes, &mut table)?,
+            triangles: section(bytes, &mut table)?,
+            face_normals: section(bytes, &mut table)?,
+        };
+        scene.check_colours()?;
+        scene.check_actors()?;
+        scene.check_meshes()?;
+        Ok(scene)
+    }
+
+    /// Palette entries in use and the indices that point to them.
+    fn check_colours(&self) -> Result<(), SceneError> {
+        let colours = self.palette.len();
+        count(Section::Palette, colours, 2, 256)?;
+        count(Section::Background, self.background.len(), 1, 65535)?;
+        let index_ok = |section, i, value: &u8| {
+            range(
+                section,
+                i,
+                Field::PaletteIndex,
+                i64::from(*value),
+                0,
+                colours as i64 - 1,
+            )
+        };
+        for (i, index) in self.background.iter().enumerate() {
+            index_ok(Section::Background, i, index)?;
+        }
+        for (i, index) in self.shades.as_flattened().iter().enumerate() {
+            index_ok(Section::Shades, i / 256, index)?;
+        }
+        count(Section::Lights, self.lights.len(), 0, layout::LIGHTS)?;
+        for (i, words) in self.lights.iter().enumerate() {
+            let light = Light::from_words(words);
+            range(
+                Section::Lights,
+                i,
+                Field::Intensity,
+                light.intensity.into(),
+                0,
+                32 << 16,
+            )?;
+            for c in light.towards {
+                range(
+                    Section::Lights,
+                    i,
+                    Field::Direction,
+                    c.into(),
+                    -(1 << 30),
+                    1 << 30,
+                )?;
+            }
+        }
+        for (i, words) in self.materials.iter().enumerate() {
+            let material = Material::from_words(words);
+            let [shading, cull, ..] = words.first().map_or([0; 4], |w| w.to_ne_bytes());
+            range(Section::Materials, i, Field::Shading, shading.into(), 0, 1)?;
+            range(Section::Materials, i, Field::Cull, cull.into(), 0, 2)?;
+            let shades = self.shades.len() as i64 - 1;
+            range(
+                Section::Materials,
+                i,
+                Field::Shade,
+                material.shade.into(),
+                0,
+                shades,
+            )?;
+            let (ambient, diffuse) = (material.ambient.into(), material.diffuse.into());
+            range(
+                Section::Materials,
+                i,
+                Field::Intensity,
+                ambient,
+                0,
+                255 * 64,
+            )?;
+            range(Section::Materials, i, Field::Intensity, diffuse, 0, 1 << 16)?;
+        }
+        Ok(())
+    }
+
+    fn check_actors(&self) -> Result<(), SceneError> {
+        count(Section::Actors, self.actors.len(), 0, 65535)?;
+        for (i, words) in self.actors.iter().enumerate() {
+            let actor = Actor::from_words(words);
+            let (meshes, materials) = (self.meshes.len() as i64, self.materials.len() as i64);
+            range(
+                Section::Actors,
+                i,
+                Field::Mesh,
+                actor.mesh.into(),
+                0,
+                meshes - 1,
+            )?;
+            range(
+                Section::Actors,
+                i,
+                Field::Material,
+                actor.material.into(),
+                0,
+                materials - 1,
+            )?;
+            let mantissa = actor.step_mantissa.into();
+            range(
+                Section::Actors,
+                i,
+                Field::Scale,
+                mantissa,
+                1 << 31,
+                (1 << 32) - 1,
+            )?;
+            range(
+                Section::Actors,
+                i,
+                Field::Scale,
+                actor.step_exponent.into(),
+                -64,
+                32,
+            )?;
+            let (mesh, material) = (self.mesh(actor.mesh), self.material(actor.material));
+            if material.shading == super::Shading::Flat {
+                let has = i64::from(mesh.face_normals);
+                range(Section::Actors, i, Field::FaceNormals, has, 1, 1)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn check_meshes(&self) -> Result<(), SceneError> {
+        for (i, words) in self.meshes.iter().enumerate() {
+            let mesh = Mesh::from_words(words);
+            let (first, count) = (i64::from(mesh.first_meshlet), i64::from(mesh.meshlets));
+            let last = self.meshlets.len() as i64 - count;
+            range(Section::Meshes, i, Field::FirstMeshlet, first, 0, last)?;
+            let radius = mesh.radius.into();
+            range(Section::Meshes, i, Field::Radius, radius, 1 << 12, 1 << 22)?;
+            let span = first as usize..(first + count) as usize;
+            for (j, words) in self
+                .meshlets
+                .iter()
+                .enumerate()
+                .take(span.end)
+                .skip(span.start)
+            {
+                self.check_meshlet(j, &Meshlet::from_words(words), &mesh)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn check_meshlet(&self, i: usize, meshlet: &Meshlet, mesh: &Mesh) -> Result<(), SceneError> {
+        let s = Section::Meshlets;
+        let (vertices, triangles) = (i64::from(meshlet.vertices), i64::from(meshlet.triangles));
+        range(s, i, Field::Count, vertices, 1, MESHLET_VERTICES as i64)?;
+        range(s, i, Field::Count, triangles, 1, MESHLET_TRIANGLES as i64)?;
+        let half = i64::from(layout::GRID_HALF);
+        for c in meshlet.base {
+            range(s, i, Field::Base, c.into(), -half, half)?;
+        }
+        let last = self.vertices.len() as i64 - vertices;
+        range(
+            s,
+            i,
+            Field::FirstVertex,
+            meshlet.first_vertex.into(),
+            0,
+            last,
+        )?;
+        let first = i64::from(meshlet.first_triangle);
+        range(
+            s,
+            i,
+            Field::FirstTriangle,
+            first,
+            0,
+            self.triangles.len() as i64 - triangles,
+        )?;
+        if mesh.face_normals {
+            let last = self.face_normals.len() as i64 - triangles;
+            range(s, i, Field::FaceNormals, first, 0, last)?;
+        }
+        let first = first as usize;
+        let own = self
+            .triangles
+            .iter()
+            .enumerate()
+            .skip(first)
+            .take(triangles as usize);
+        for (j, index) in own.flat_map(|(j, t)| t.iter().map(move |v| (j, v))) {
+            range(
+                Section::Triangles,
+                j,
+                Field::VertexIndex,
+                i64::from(*index),
+                0,
+                vertices - 1,
+            )?;
+        }
+        Ok(())
+    }
+}
+
+/// The next section of the table as records.
+fn section<'a, 'w, T: AnyBitPattern>(
+    bytes: &'a [u8],
+    table: &mut impl Iterator<Item = (&'w [u32], Section)>,
+) -> Result<&'a [T], SceneError> {
+    let (entry, section) = table
+        .next()
+        .ok_or(SceneError::TooShort { bytes: bytes.len() })?;
+    let [offset, count] = *entry else {
+        return Err(SceneError::TooShort { bytes: bytes.len() });
+    };
+    let (offset, count) = (u32::from_le(offset) as usize, u32::from_le(count) as usize);
+    let outside = |field, value: usize| SceneError::Record {
+        section,
+        index: 0,
+        field,
+        value: value as i64,
+    };
+    let size = count
+        .checked_mul(size_of::<T>())
+        .ok_or(outside(Field::Count, count))?;
+    if offset < layout::PREFIX_BYTES {
+        return Err(outside(Field::Offset, offset));
+    }
+    let part = bytes.get(offset..).ok_or(outside(Field::Offset, offset))?;
+    let part = part.get(..size).ok_or(outside(Field::Count, count))?;
+    try_cast_slice(part).map_err(|_| outside(Field::Offset, offset))
+}
+
+fn check_header(header: &Header) -> Result<(), SceneError> {
+    let check = |field, value: i64, least: i64, most: i64| {
+        if (least..=most).contains(&value) {
+            Ok(())
+        } else {
+            Err(SceneError::Header { field, value })
+        }
+    };
+    check(Field::Width, header.width.into(), 1, 2048)?;
+    check(Field::Height, header.height.into(), 1, 2048)?;
+    let formats = ColourFormat::ALL.len() as i64;
+    check(
+        Field::ColourFormat,
+        header.colour_format.into(),
+        0,
+        formats - 1,
+    )?;
+    check(Field::Projection, header.projection.into(), 0, 1)?;
+    let most = if header.projection == 0 {
+        u32::MAX
+    } else {
+        i32::MAX as u32
+    };
+    check(Field::ViewAngle, header.half_height.into(), 1, most.into())?;
+    check(
+        Field::ClippingRange,
+        header.near.into(),
+        1,
+        i64::from(header.far) - 1,
+    )?;
+    let (eye, focus) = (header.position, header.focal_point);
+    check(Field::Camera, i64::from(eye != focus), 1, 1)?;
+    check(Field::Camera, i64::from(header.view_up != [0; 3]), 1, 1)
+}
+
+fn count(section: Section, count: usize, least: usize, most: usize) -> Result<(), SceneError> {
+    range(
+        section,
+        0,
+        Field::Count,
+        count as i64,
+        least as i64,
+        most as i64,
+    )
+}
+
+fn range(
+    section: Section,
+    index: usize,
+    field: Field,
+    value: i64,
+    least: i64,
+    most: i64,
+) -> Result<(), SceneError> {
+    if (least..=most).contains(&value) {
+        Ok(())
+    } else {
+        Err(SceneError::Record {
+            section,
+            index,
+            field,
+            value,
+        })
+    }
+}

@@ -1,0 +1,421 @@
+//! The records of a blob: what each word means, in both directions. The baker
+//! writes what is read here, so a format stands in one place.
+
+use super::layout;
+
+/// A record of fixed size, made of little-endian 32-bit words.
+pub trait Record: Sized {
+    /// The words.
+    type Words;
+    /// From the words of a blob that has been checked; a value outside its
+    /// range is taken to the nearest sensible one.
+    fn from_words(words: &Self::Words) -> Self;
+    /// As written by the baker.
+    fn to_words(&self) -> Self::Words;
+}
+
+fn i(word: u32) -> i32 {
+    i32::from_le_bytes(word.to_ne_bytes())
+}
+
+fn u(word: u32) -> u32 {
+    u32::from_le(word)
+}
+
+fn w(value: i32) -> u32 {
+    (value as u32).to_le()
+}
+
+/// The sum of the blob's words after the first four: FNV-1a over 32-bit words.
+/// Any change within one word changes it.
+pub fn checksum(words: &[u32]) -> u32 {
+    words.iter().fold(0x811c_9dc5, |hash: u32, word| {
+        (hash ^ u32::from_le(*word)).wrapping_mul(0x0100_0193)
+    })
+}
+
+/// What the panel can show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum ColourFormat {
+    Rgb888,
+    Rgb565,
+    Rgb444,
+    Gray8,
+    Gray4,
+    Gray2,
+    Mono,
+}
+
+impl ColourFormat {
+    /// All, in the order of their codes.
+    pub const ALL: [Self; 7] = [
+        Self::Rgb888,
+        Self::Rgb565,
+        Self::Rgb444,
+        Self::Gray8,
+        Self::Gray4,
+        Self::Gray2,
+        Self::Mono,
+    ];
+}
+
+/// The header: all that a scene has once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Header {
+    /// Bytes of the whole blob.
+    pub length: u32,
+    /// See [`checksum`].
+    pub checksum: u32,
+    /// Screen width in pixels, 1..=2048.
+    pub width: u16,
+    /// Screen height in pixels, 1..=2048.
+    pub height: u16,
+    /// Index into [`ColourFormat::ALL`].
+    pub colour_format: u8,
+    /// World units are scene units times 2 to this power.
+    pub world_exponent: i8,
+    /// Frames in a full turn of every actor about its y axis; 0: none.
+    pub turntable: u32,
+    /// Eye, raw [`World`](crate::math::World) bits.
+    pub position: [i32; 3],
+    /// What is in the middle of the picture.
+    pub focal_point: [i32; 3],
+    /// Which way is up.
+    pub view_up: [i32; 3],
+    /// 0: perspective, 1: parallel.
+    pub projection: u8,
+    /// Perspective: tangent of half the vertical angle of view, in 2^-24.
+    /// Parallel: half the picture's height, raw world bits.
+    pub half_height: u32,
+    /// Distance of the near plane, raw world bits.
+    pub near: i32,
+    /// Distance of the far plane; `i32::MAX`: none (perspective only).
+    pub far: i32,
+}
+
+impl Record for Header {
+    type Words = [u32; layout::HEADER_WORDS];
+
+    fn from_words(words: &Self::Words) -> Self {
+        let [
+            _,
+            _,
+            length,
+            checksum,
+            size,
+            format,
+            turntable,
+            p0,
+            p1,
+            p2,
+            f0,
+            f1,
+            f2,
+            u0,
+            u1,
+            u2,
+            projection,
+            half,
+            near,
+            far,
+            ..,
+        ] = *words;
+        let [format, exponent, ..] = format.to_ne_bytes();
+        Self {
+            length: u(length),
+            checksum: u(checksum),
+            width: u(size) as u16,
+            height: (u(size) >> 16) as u16,
+            colour_format: format,
+            world_exponent: exponent as i8,
+            turntable: u(turntable),
+            position: [i(p0), i(p1), i(p2)],
+            focal_point: [i(f0), i(f1), i(f2)],
+            view_up: [i(u0), i(u1), i(u2)],
+            projection: u(projection) as u8,
+            half_height: u(half),
+            near: i(near),
+            far: i(far),
+        }
+    }
+
+    fn to_words(&self) -> Self::Words {
+        let size = u32::from(self.width) | u32::from(self.height) << 16;
+        let format = [self.colour_format, self.world_exponent as u8, 0, 0];
+        let [p0, p1, p2] = self.position.map(w);
+        let [f0, f1, f2] = self.focal_point.map(w);
+        let [u0, u1, u2] = self.view_up.map(w);
+        [
+            layout::MAGIC.to_le(),
+            layout::VERSION.to_le(),
+            self.length.to_le(),
+            self.checksum.to_le(),
+            size.to_le(),
+            u32::from_ne_bytes(format),
+            self.turntable.to_le(),
+            p0,
+            p1,
+            p2,
+            f0,
+            f1,
+            f2,
+            u0,
+            u1,
+            u2,
+            u32::from(self.projection).to_le(),
+            self.half_height.to_le(),
+            w(self.near),
+            w(self.far),
+            0,
+            0,
+            0,
+            0,
+        ]
+    }
+}
+
+/// A directional light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Light {
+    /// From the surface to the light, length 1, Q30.
+    pub towards: [i32; 3],
+    /// Intensity in 2^-16, at most 32.
+    pub intensity: u32,
+}
+
+impl Record for Light {
+    type Words = [u32; 4];
+
+    fn from_words(&[x, y, z, intensity]: &Self::Words) -> Self {
+        Self {
+            towards: [i(x), i(y), i(z)],
+            intensity: u(intensity),
+        }
+    }
+
+    fn to_words(&self) -> Self::Words {
+        let [x, y, z] = self.towards.map(w);
+        [x, y, z, self.intensity.to_le()]
+    }
+}
+
+/// Where a material is lit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shading {
+    /// Once a face.
+    Flat,
+    /// At the vertices, interpolated.
+    Gouraud,
+}
+
+/// Which faces are left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cull {
+    /// Those seen from behind.
+    Back,
+    /// Those seen from the front.
+    Front,
+    /// None.
+    None,
+}
+
+/// A surface's answer to light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Material {
+    /// Where it is lit.
+    pub shading: Shading,
+    /// Which faces are left out.
+    pub cull: Cull,
+    /// Row of the shade table.
+    pub shade: u16,
+    /// Level without any light that has a direction: ambient and emission, in
+    /// 1/64 of a level, at most 255 levels.
+    pub ambient: u16,
+    /// Diffuse coefficient in 2^-16, at most 1.
+    pub diffuse: u32,
+}
+
+impl Record for Material {
+    type Words = [u32; 3];
+
+    fn from_words(&[flags, ambient, diffuse]: &Self::Words) -> Self {
+        let [shading, cull, low, high] = flags.to_ne_bytes();
+        Self {
+            shading: if shading == 0 {
+                Shading::Flat
+            } else {
+                Shading::Gouraud
+            },
+            cull: match cull {
+                0 => Cull::Back,
+                1 => Cull::Front,
+                _ => Cull::None,
+            },
+            shade: u16::from_le_bytes([low, high]),
+            ambient: u(ambient) as u16,
+            diffuse: u(diffuse),
+        }
+    }
+
+    fn to_words(&self) -> Self::Words {
+        let [low, high] = self.shade.to_le_bytes();
+        let flags = [self.shading as u8, self.cull as u8, low, high];
+        [
+            u32::from_ne_bytes(flags),
+            u32::from(self.ambient).to_le(),
+            self.diffuse.to_le(),
+        ]
+    }
+}
+
+/// A mesh placed in the world. A grid point `q` of the mesh goes to
+/// `position + R (offset + q * step)`, with `R` from `orientation`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Actor {
+    /// Which mesh.
+    pub mesh: u16,
+    /// Which material.
+    pub material: u16,
+    /// Where its pivot is, raw world bits.
+    pub position: [i32; 3],
+    /// Turned about x, y, z, in 2^-32 turns; applied in VTK's order y, x, z.
+    pub orientation: [u32; 3],
+    /// From the pivot to the centre of the mesh's grid, before turning, raw
+    /// world bits.
+    pub offset: [i32; 3],
+    /// World units a grid step: `step_mantissa * 2^(step_exponent - 31)`,
+    /// mantissa in 2^31..2^32.
+    pub step_mantissa: u32,
+    /// See `step_mantissa`; -64..=32.
+    pub step_exponent: i32,
+}
+
+impl Record for Actor {
+    type Words = [u32; 12];
+
+    fn from_words(words: &Self::Words) -> Self {
+        let [ids, p0, p1, p2, a0, a1, a2, o0, o1, o2, mantissa, exponent] = *words;
+        Self {
+            mesh: u(ids) as u16,
+            material: (u(ids) >> 16) as u16,
+            position: [i(p0), i(p1), i(p2)],
+            orientation: [u(a0), u(a1), u(a2)],
+            offset: [i(o0), i(o1), i(o2)],
+            step_mantissa: u(mantissa),
+            step_exponent: i(exponent),
+        }
+    }
+
+    fn to_words(&self) -> Self::Words {
+        let [p0, p1, p2] = self.position.map(w);
+        let [a0, a1, a2] = self.orientation.map(u32::to_le);
+        let [o0, o1, o2] = self.offset.map(w);
+        let ids = u32::from(self.mesh) | u32::from(self.material) << 16;
+        [
+            ids.to_le(),
+            p0,
+            p1,
+            p2,
+            a0,
+            a1,
+            a2,
+            o0,
+            o1,
+            o2,
+            self.step_mantissa.to_le(),
+            w(self.step_exponent),
+        ]
+    }
+}
+
+/// A mesh: a run of meshlets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mesh {
+    /// Its first meshlet.
+    pub first_meshlet: u32,
+    /// How many.
+    pub meshlets: u32,
+    /// A sphere about the grid's centre holds all vertices; grid steps.
+    pub radius: u32,
+    /// Whether its triangles have face normals. Meshes that do come first, so
+    /// that a triangle and its face normal have the same number.
+    pub face_normals: bool,
+}
+
+impl Record for Mesh {
+    type Words = [u32; 4];
+
+    fn from_words(words: &Self::Words) -> Self {
+        let [first_meshlet, meshlets, radius, face_normals] = words.map(u);
+        Self {
+            first_meshlet,
+            meshlets,
+            radius,
+            face_normals: face_normals != 0,
+        }
+    }
+
+    fn to_words(&self) -> Self::Words {
+        let face_normals = u32::from(self.face_normals);
+        [self.first_meshlet, self.meshlets, self.radius, face_normals].map(u32::to_le)
+    }
+}
+
+/// A small cluster of triangles: the unit that is culled, transformed and lit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Meshlet {
+    /// Centre of its box, grid steps from the grid's centre. Vertices are
+    /// 16-bit distances from here.
+    pub base: [i32; 3],
+    /// A sphere about the base holds its vertices; grid steps.
+    pub radius: u16,
+    /// Vertices, 1..=64.
+    pub vertices: u8,
+    /// Triangles, 1..=128.
+    pub triangles: u8,
+    /// Mean direction of its faces, 127 is 1.
+    pub cone_axis: [i8; 3],
+    /// The meshlet shows only back faces to an eye from which
+    /// `dot(base - eye, axis) >= cutoff * |base - eye| + radius`; 127 is 1
+    /// and means never.
+    pub cone_cutoff: i8,
+    /// Its first vertex in the scene's list.
+    pub first_vertex: u32,
+    /// Its first triangle in the scene's list.
+    pub first_triangle: u32,
+}
+
+impl Record for Meshlet {
+    type Words = [u32; 7];
+
+    fn from_words(&[b0, b1, b2, size, cone, first_vertex, first_triangle]: &Self::Words) -> Self {
+        let [low, high, vertices, triangles] = size.to_ne_bytes();
+        let [ax, ay, az, cutoff] = cone.to_ne_bytes().map(|b| b as i8);
+        Self {
+            base: [i(b0), i(b1), i(b2)],
+            radius: u16::from_le_bytes([low, high]),
+            vertices,
+            triangles,
+            cone_axis: [ax, ay, az],
+            cone_cutoff: cutoff,
+            first_vertex: u(first_vertex),
+            first_triangle: u(first_triangle),
+        }
+    }
+
+    fn to_words(&self) -> Self::Words {
+        let [b0, b1, b2] = self.base.map(w);
+        let [low, high] = self.radius.to_le_bytes();
+        let [ax, ay, az] = self.cone_axis.map(|c| c as u8);
+        [
+            b0,
+            b1,
+            b2,
+            u32::from_ne_bytes([low, high, self.vertices, self.triangles]),
+            u32::from_ne_bytes([ax, ay, az, self.cone_cutoff as u8]),
+            self.first_vertex.to_le(),
+            self.first_triangle.to_le(),
+        ]
+    }
+}

@@ -1,0 +1,15 @@
+//! Vertices from the grid to the screen. In: a meshlet's vertices and an
+//! [`ActorView`](crate::view::ActorView). Out: [`ScreenVertex`] for each, lit.
+//! Used by `clip` (which asks again for clip coordinates) and `raster`.
+
+mod clip_coordinates;
+mod meshlet;
+mod projection;
+
+pub use clip_coordinates::ClipVertex;
+pub use meshlet::{TransformedMeshlet, transform_meshlet, vertex};
+pub use projection::{ScreenVertex, outside, project};
+pub(crate) use projection::{guard, outcode};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,116 @@
+//! Clip coordinates to the screen.
+
+use super::ClipVertex;
+use crate::math::{FineDepth, FineLevel, SubPx, mul_high, reciprocal};
+use crate::view::ActorView;
+
+/// A vertex on the screen. Not meaningful in x, y and z if `outside` says that
+/// the vertex has to be clipped first.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ScreenVertex {
+    /// From the screen's left edge.
+    pub x: SubPx,
+    /// From the screen's top edge.
+    pub y: SubPx,
+    /// Depth.
+    pub z: FineDepth,
+    /// Light level.
+    pub level: FineLevel,
+    /// Planes that it is beyond: bits of [`outside`].
+    pub outside: u16,
+}
+
+/// Outcode bits: a vertex with any of them set cannot be projected as it is
+/// (near, far) or would leave the range of screen positions (the others).
+pub mod outside {
+    /// Nearer than the near plane.
+    pub const NEAR: u16 = 1;
+    /// Farther than the far plane.
+    pub const FAR: u16 = 2;
+    /// Far to the left.
+    pub const LEFT: u16 = 4;
+    /// Far to the right.
+    pub const RIGHT: u16 = 8;
+    /// Far above.
+    pub const ABOVE: u16 = 16;
+    /// Far below.
+    pub const BELOW: u16 = 32;
+}
+
+/// The outcode of clip coordinates.
+#[inline(always)]
+pub(crate) fn outcode(view: &ActorView, [x, y, distance]: [i32; 3]) -> u16 {
+    let mut code = 0;
+    if distance < view.near {
+        code |= outside::NEAR;
+    }
+    if distance > view.far {
+        code |= outside::FAR;
+    }
+    let guard = guard(view, distance);
+    if x < -guard {
+        code |= outside::LEFT;
+    }
+    if x > guard {
+        code |= outside::RIGHT;
+    }
+    if y < -guard {
+        code |= outside::ABOVE;
+    }
+    if y > guard {
+        code |= outside::BELOW;
+    }
+    code
+}
+
+/// The largest clip x and y that project to within
+/// [`MAX_SCREEN`](crate::math::MAX_SCREEN); 0 at or behind the eye.
+#[inline(always)]
+pub(crate) fn guard(view: &ActorView, distance: i32) -> i32 {
+    let shift = view.guard_shift;
+    if !view.perspective {
+        return view.parallel_guard;
+    }
+    let distance = distance.max(0);
+    if shift >= 0 {
+        // Clip coordinates have at most 31 - shift bits.
+        distance << (shift as u32).min(15)
+    } else {
+        distance >> shift.wrapping_neg().min(31)
+    }
+}
+
+/// Projects a vertex that is within all planes; others get their outcode and no
+/// position. Positions and depth are rounded to nearest.
+#[inline(always)]
+pub fn project(view: &ActorView, vertex: &ClipVertex) -> ScreenVertex {
+    let clip = [vertex.x, vertex.y, vertex.distance];
+    let outside = outcode(view, clip);
+    let level = FineLevel::from_bits(vertex.level as u16);
+    if outside != 0 {
+        return ScreenVertex {
+            level,
+            outside,
+            ..ScreenVertex::default()
+        };
+    }
+    let [mx, my] = view.middle;
+    let recip = reciprocal(vertex.distance as u32);
+    let z = view.depth.depth(vertex.distance, recip);
+    let (x, y) = if view.perspective {
+        // (v << up) * mantissa / 2^32 is v / distance * 2^(29 - guard_shift),
+        // and the lens's exponent is 21 - guard_shift.
+        let up = (recip.shift as i32 - view.guard_shift - 1).max(0) as u32;
+        let divide = |v: i32| (mul_high(v << up.min(31), recip.mantissa) + 128) >> 8;
+        (divide(vertex.x), divide(vertex.y))
+    } else {
+        (view.parallel(vertex.x), view.parallel(vertex.y))
+    };
+    ScreenVertex {
+        x: SubPx::from_bits(x + mx),
+        y: SubPx::from_bits(y + my),
+        z,
+        level,
+        outside,
+    }
+}

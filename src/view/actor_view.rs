@@ -1,0 +1,253 @@
+//! One actor in one frame.
+
+use super::{DepthMap, Lens, ModelLights, ROW_FRACTION, ViewFrame};
+use crate::math::{MAX_SCREEN, Rotation, SUBPX_BITS};
+use crate::scene::{Actor, Material, Mesh, Placement, Scene};
+
+/// The eye as an actor's grid sees it.
+#[derive(Clone, Copy, Debug)]
+pub enum EyeInGrid {
+    /// A place, in grid steps from the grid's centre (perspective).
+    Point([i64; 3]),
+    /// The direction of sight, Q30 (parallel).
+    Direction([i32; 3]),
+}
+
+/// Grid points of one actor go through this to clip space.
+///
+/// A clip coordinate is `(row . q + constant) >> 14`, for rows x, y (down) and
+/// distance. All three are in one unit, chosen for the actor so that none
+/// exceeds `2^limit`; x and y are also scaled by the lens's mantissa. So the
+/// screen position is `x / distance * 2^lens.exponent` sub-pixels from the
+/// middle (perspective) or `x >> parallel_shift` (parallel).
+#[derive(Clone, Copy, Debug)]
+pub struct ActorView {
+    /// Coefficients, 14 fractional bits.
+    pub rows: [[i32; 3]; 3],
+    /// Values at the grid's centre, 14 fractional bits.
+    pub constants: [i64; 3],
+    /// For each row, the length of its linear part: a sphere of radius r grid
+    /// steps changes the coordinate by at most `(r * this) >> 14`.
+    pub row_lengths: [i32; 3],
+    /// The same for `x - k * distance` and `y - k * distance`, with k such that
+    /// these are 0 at the screen's sides.
+    pub side_lengths: [i32; 2],
+    /// Distance of the near plane in clip units, at least 1.
+    pub near: i32,
+    /// Distance of the far plane in clip units.
+    pub far: i32,
+    /// The lens of the frame.
+    pub lens: Lens,
+    /// Whether screen positions are divided by distance.
+    pub perspective: bool,
+    /// Right shift from a parallel clip coordinate to sub-pixels; negative:
+    /// left.
+    pub parallel_shift: i32,
+    /// From distance to depth.
+    pub depth: DepthMap,
+    /// The eye, for back-face culling of whole meshlets.
+    pub eye: EyeInGrid,
+    /// The lights.
+    pub lights: ModelLights,
+    /// The material.
+    pub material: Material,
+    /// The mesh.
+    pub mesh: Mesh,
+    /// Half the screen, in raw sub-pixels.
+    pub middle: [i32; 2],
+    /// `log2` of the largest ratio of a clip coordinate to its distance whose
+    /// screen position stays within [`MAX_SCREEN`]; may be negative.
+    pub guard_shift: i32,
+    /// The largest clip coordinate whose screen position stays within
+    /// [`MAX_SCREEN`] (parallel).
+    pub parallel_guard: i32,
+}
+
+impl ActorView {
+    /// Brings one actor, placed at `placement`, before the camera.
+    pub fn new(frame: &ViewFrame, scene: &Scene<'_>, actor: &Actor, placement: &Placement) -> Self {
+        let mesh = scene.mesh(actor.mesh);
+        let material = scene.material(actor.material);
+        let to_world = Rotation::from_orientation(placement.orientation);
+        let to_view = to_world.then(&frame.rotation);
+
+        // The grid's centre in view space, world units in Q30.
+        let offset = actor.offset.map(|c| i64::from(c) << 14);
+        let [ox, oy, oz] = to_world.apply_wide(offset);
+        let [px, py, pz] = placement.position.minus(frame.eye).map(|c| c << 14);
+        let [cx, cy, cz] = frame.rotation.apply_wide([px + ox, py + oy, pz + oz]);
+        let centre = [cx, -cy, -cz]; // y down, distance along the line of sight
+
+        // A sphere about it, in the same units, and the actor's clip unit.
+        let radius = (i64::from(mesh.radius) * i64::from(actor.step_mantissa)) >> 1;
+        let radius = shift(radius, actor.step_exponent) + 1;
+        let farthest = centre.iter().fold(0, |m: i64, c| m.max(c.abs()));
+        let mut reach = farthest.saturating_add(radius);
+        if !frame.perspective {
+            reach = reach.max(i64::from(frame.far) << 14);
+        }
+        let reach_bits = 64 - reach.leading_zeros() as i32;
+        let limit = coordinate_bits(frame);
+        let down = reach_bits - limit; // Q30 world units >> down = clip units
+        let scale = 30 - down;
+
+        let kappa = i64::from(frame.lens.mantissa);
+        let mantissa = i64::from(actor.step_mantissa);
+        let row_shift = actor.step_exponent + scale + ROW_FRACTION as i32 - 30;
+        let [x, y, z] = to_view
+            .rows
+            .map(|row| row.map(|c| (i64::from(c) * mantissa) >> 31));
+        let lens = |v: i64| (v * kappa + (1 << 30)) >> 31;
+        let fit = |v: i64| shift_round(v, row_shift) as i32;
+        let rows = [
+            x.map(|c| fit(lens(c))),
+            y.map(|c| fit(-lens(c))),
+            z.map(|c| fit(-c)),
+        ];
+        let [tx, ty, td] = centre;
+        let constant = |v: i64| shift_round(v, ROW_FRACTION as i32 - down);
+        let constants = [
+            constant(scale_q31(kappa, tx)),
+            constant(scale_q31(kappa, ty)),
+            constant(td),
+        ];
+
+        let world_to_clip = |v: i32| {
+            let wide = shift_round(i64::from(v), scale - 16);
+            wide.clamp(1, i64::from(i32::MAX)) as i32
+        };
+        let middle = [frame.width, frame.height].map(|s| i32::from(s) << (SUBPX_BITS - 1));
+        let row_lengths = rows.map(row_length);
+        Self {
+            rows,
+            constants,
+            row_lengths,
+            side_lengths: side_lengths(frame, row_lengths, middle),
+            near: world_to_clip(frame.near),
+            far: if frame.far == i32::MAX {
+                i32::MAX
+            } else {
+                world_to_clip(frame.far)
+            },
+            lens: frame.lens,
+            perspective: frame.perspective,
+            parallel_shift: scale - frame.lens.exponent,
+            depth: DepthMap::new(frame, scale),
+            eye: eye_in_grid(frame, actor, placement, &to_world),
+            lights: ModelLights::new(scene, &material, &to_world),
+            material,
+            mesh,
+            middle,
+            guard_shift: guard_shift(frame.lens),
+            parallel_guard: shift(MAX_SCREEN.into(), scale - frame.lens.exponent)
+                .min(i32::MAX.into()) as i32,
+        }
+    }
+
+    /// The clip coordinate of the screen's side, which is `half` sub-pixels from
+    /// its middle, at `distance`; rounded down.
+    pub fn side_at(&self, half: i64, distance: i64) -> i64 {
+        if self.perspective {
+            side_at(self.lens, half, distance)
+        } else {
+            shift(half, self.parallel_shift)
+        }
+    }
+
+    /// A parallel clip coordinate in raw sub-pixels from the screen's middle,
+    /// rounded to nearest.
+    pub fn parallel(&self, v: i32) -> i32 {
+        shift_round(v.into(), self.parallel_shift.wrapping_neg()) as i32
+    }
+}
+
+/// See [`ActorView::side_lengths`]. x, y and distance are perpendicular.
+fn side_lengths(frame: &ViewFrame, [x, y, d]: [i32; 3], middle: [i32; 2]) -> [i32; 2] {
+    let side = |length: i32, half: i32| {
+        let along = if frame.perspective {
+            side_at(frame.lens, half.into(), d.into())
+        } else {
+            0
+        };
+        let along = along.unsigned_abs().min(1 << 31);
+        let length = u64::from(length.unsigned_abs());
+        ((length * length + along * along).isqrt() + 1).min(i32::MAX as u64) as i32
+    };
+    let [half_width, half_height] = middle;
+    [side(x, half_width), side(y, half_height)]
+}
+
+/// The clip coordinate that projects to `half` sub-pixels at `distance`.
+fn side_at(lens: Lens, half: i64, distance: i64) -> i64 {
+    // half has at most 20 bits, distance 32.
+    shift(half * distance, lens.exponent.wrapping_neg())
+}
+
+fn guard_shift(lens: Lens) -> i32 {
+    MAX_SCREEN.ilog2() as i32 - lens.exponent
+}
+
+/// Bits of a clip coordinate: as many as projection can normalise without
+/// losing the highest.
+fn coordinate_bits(frame: &ViewFrame) -> i32 {
+    if frame.perspective {
+        (31 - guard_shift(frame.lens)).clamp(16, 28)
+    } else {
+        28
+    }
+}
+
+/// Rounded up length of a row.
+fn row_length([a, b, c]: [i32; 3]) -> i32 {
+    let squared = [a, b, c].iter().fold(0u64, |sum, v| {
+        sum + u64::from(v.unsigned_abs()) * u64::from(v.unsigned_abs())
+    });
+    (squared.isqrt() + 1).min(i32::MAX as u64) as i32
+}
+
+fn eye_in_grid(
+    frame: &ViewFrame,
+    actor: &Actor,
+    placement: &Placement,
+    to_world: &Rotation,
+) -> EyeInGrid {
+    let to_model = to_world.transposed();
+    if !frame.perspective {
+        let [.., z] = frame.rotation.rows;
+        return EyeInGrid::Direction(to_model.apply(z).map(i32::wrapping_neg));
+    }
+    let from_pivot = frame.eye.minus(placement.position).map(|c| c << 14);
+    let [x, y, z] = to_model.apply_wide(from_pivot);
+    let [ox, oy, oz] = actor.offset.map(|c| i64::from(c) << 14);
+    // World units in Q30 over a step of mantissa * 2^(exponent - 31); 16 bits
+    // of the mantissa are enough to cull by.
+    let divisor = i64::from(actor.step_mantissa >> 16);
+    let steps = |c: i64| {
+        let quotient = (c << 14) / divisor;
+        shift(quotient, 31 - 16 - 30 - 14 - actor.step_exponent).clamp(-(1 << 40), 1 << 40)
+    };
+    EyeInGrid::Point([steps(x - ox), steps(y - oy), steps(z - oz)])
+}
+
+/// `a * v / 2^31` for `|v| < 2^48` and `a < 2^31`, rounded down.
+fn scale_q31(a: i64, v: i64) -> i64 {
+    let (high, low) = (v >> 16, v & 0xffff);
+    (a * high + ((a * low) >> 16)) >> 15
+}
+
+fn shift(v: i64, by: i32) -> i64 {
+    if by >= 0 {
+        v.saturating_mul(1i64 << by.min(62))
+    } else {
+        v >> by.wrapping_neg().min(63)
+    }
+}
+
+fn shift_round(v: i64, by: i32) -> i64 {
+    if by >= 0 {
+        shift(v, by)
+    } else {
+        let down = by.wrapping_neg().min(62);
+        (v + (1i64 << (down - 1))) >> down
+    }
+}

@@ -1,0 +1,96 @@
+//! From the distance along the line of sight to a depth.
+
+use super::ViewFrame;
+use crate::math::{FineDepth, Reciprocal, mul_high};
+
+/// Depth of a clip distance `d`: near / d for perspective, (far - d) /
+/// (far - near) for parallel, times 65535, held in 1..=65535 so that what is
+/// drawn differs from what is not.
+#[derive(Clone, Copy, Debug)]
+pub enum DepthMap {
+    /// `near * 65535 * 16 = mantissa * 2^..`, the power folded into `shift`.
+    Perspective {
+        /// 2^30..2^31.
+        mantissa: i32,
+        /// Right shift of the product, before the reciprocal's own shift.
+        shift: i32,
+    },
+    /// A straight line.
+    Parallel {
+        /// Depth at distance 0, raw [`FineDepth`].
+        at_eye: i32,
+        /// Fall a unit of clip distance.
+        mantissa: i32,
+        /// Right shift of the product.
+        shift: i32,
+    },
+}
+
+/// 65535 in raw [`FineDepth`].
+const ONE: u64 = 65535 << 4;
+
+impl DepthMap {
+    /// For clip distances that are world distances times `2^scale`.
+    pub(super) fn new(frame: &ViewFrame, scale: i32) -> Self {
+        let (near, far) = (frame.near as u64, frame.far as u64);
+        if frame.perspective {
+            let (mantissa, bits) = top_31_bits(near * ONE);
+            // near has 16 fractional bits; 62 is the reciprocal's scale, 32 the
+            // high product's.
+            Self::Perspective {
+                mantissa,
+                shift: 62 - 32 - (bits - 31) - (scale - 16),
+            }
+        } else {
+            let range = far - near;
+            let (mantissa, bits) = top_31_bits((ONE << 43) / range);
+            let at_eye = (far * ONE / range).min(i32::MAX as u64) as i32;
+            // Fall a world unit: quotient * 2^(16 - 43).
+            Self::Parallel {
+                at_eye,
+                mantissa,
+                shift: scale + (43 - 16) - (bits - 31) - 32,
+            }
+        }
+    }
+
+    /// The depth at distance `d`, whose reciprocal is `recip` (perspective).
+    #[inline(always)]
+    pub fn depth(&self, d: i32, recip: Reciprocal) -> FineDepth {
+        let depth = match *self {
+            Self::Perspective { mantissa, shift } => round_shift(
+                mul_high(mantissa, recip.mantissa),
+                shift - recip.shift as i32,
+            ),
+            Self::Parallel {
+                at_eye,
+                mantissa,
+                shift,
+            } => at_eye.saturating_sub(round_shift(mul_high(mantissa, d), shift)),
+        };
+        FineDepth::from_bits(depth.clamp(1 << 4, ONE as i32) as u32)
+    }
+}
+
+/// `v / 2^by` rounded to nearest; saturates to the left.
+#[inline(always)]
+fn round_shift(v: i32, by: i32) -> i32 {
+    if by > 0 {
+        let by = by.min(31);
+        // v is a high product, below 2^30: the sum fits.
+        v.wrapping_add(1 << (by - 1)) >> by
+    } else {
+        v.saturating_mul(1 << by.wrapping_neg().clamp(0, 30))
+    }
+}
+
+/// The 31 highest bits and how many bits there were.
+fn top_31_bits(v: u64) -> (i32, i32) {
+    let bits = 64 - v.leading_zeros() as i32;
+    let mantissa = if bits > 31 {
+        v >> (bits - 31)
+    } else {
+        v << (31 - bits)
+    };
+    (mantissa as i32, bits)
+}

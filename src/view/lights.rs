@@ -1,0 +1,73 @@
+//! Lights in an actor's own space, so that normals need no turning.
+
+use crate::math::{FineLevel, Level, Rotation, normal_length_recip};
+use crate::scene::layout::LIGHTS;
+use crate::scene::{Material, Scene};
+
+/// What reaches an actor's surface, with the material's coefficients.
+#[derive(Clone, Copy, Debug)]
+pub struct ModelLights {
+    /// Level without any directional light, raw [`FineLevel`].
+    ambient: u32,
+    /// Towards each light, times its level: 1/1024 of a level is 1.
+    lights: [[i32; 3]; LIGHTS],
+    /// How many there are.
+    count: usize,
+}
+
+const FULL: u32 = 255 << 6;
+
+impl ModelLights {
+    /// The scene's lights as an actor with `rotation` (model to world) and
+    /// `material` meets them.
+    pub fn new(scene: &Scene<'_>, material: &Material, rotation: &Rotation) -> Self {
+        let to_model = rotation.transposed();
+        let mut lights = [[0; 3]; LIGHTS];
+        let found = scene.lights();
+        let count = found.len().min(LIGHTS);
+        for (slot, light) in lights.iter_mut().zip(found) {
+            // Intensity (16 bits, up to 32) times diffuse (16 bits, up to 1)
+            // times 255 levels of 1024 steps: 23 bits and a sign at most.
+            let strength = (u64::from(light.intensity) * u64::from(material.diffuse)) >> 16;
+            let strength = (strength * 255) >> 6;
+            *slot = to_model
+                .apply(light.towards)
+                .map(|c| ((i64::from(c) * strength as i64 + (1 << 29)) >> 30) as i32);
+        }
+        Self {
+            ambient: material.ambient.into(),
+            lights,
+            count,
+        }
+    }
+
+    /// The light level of a surface with an octahedral normal: `ambient + sum
+    /// of max(0, N . l) * diffuse * intensity`, at most 255. The decoding is
+    /// that of Meyer et al., "On Floating-Point Normal Vectors" (2010).
+    #[inline]
+    pub fn level(&self, [u, v]: [i8; 2]) -> FineLevel {
+        let (mut x, mut y) = (i32::from(u), i32::from(v));
+        let z = 127 - x.abs() - y.abs();
+        if z < 0 {
+            // The lower half is folded over the diamond's edges.
+            (x, y) = (
+                if x >= 0 { x - -z } else { x + -z },
+                if y >= 0 { y - -z } else { y + -z },
+            );
+        }
+        let recip = normal_length_recip((x * x + y * y + z * z) as u32);
+        let mut level = self.ambient;
+        for [lx, ly, lz] in self.lights.iter().take(self.count) {
+            let dot = (x * lx + y * ly + z * lz).max(0) as u32;
+            // 65535 is past full light for every length; see the test.
+            level += ((dot >> 9).min(65535) * recip) >> 17;
+        }
+        FineLevel::from_bits(level.min(FULL) as u16)
+    }
+}
+
+/// A level rounded to a table's index.
+#[inline(always)]
+pub fn round_level(level: FineLevel) -> Level {
+    ((u32::from(level.to_bits()) + 32) >> 6) as Level
+}

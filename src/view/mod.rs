@@ -1,0 +1,22 @@
+//! The way from an actor's grid to clip space. In: a [`Pose`](crate::scene::Pose)
+//! and the screen's size. Out: [`ViewFrame`] once a frame and [`ActorView`] once
+//! an actor, with everything that later stages need of camera and lights.
+//! Used by `cull`, `vertex`, `clip`.
+
+mod actor_view;
+mod depth_map;
+mod lights;
+mod meshlet_rows;
+mod view_frame;
+
+pub use actor_view::{ActorView, EyeInGrid};
+pub use depth_map::DepthMap;
+pub use lights::{ModelLights, round_level};
+pub use meshlet_rows::MeshletRows;
+pub use view_frame::{Lens, ViewFrame};
+
+/// Fractional bits of [`ActorView`]'s rows beyond those of a clip coordinate.
+pub const ROW_FRACTION: u32 = 14;
+
+#[cfg(test)]
+mod tests;

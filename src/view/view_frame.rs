@@ -1,0 +1,91 @@
+//! The camera, ready for use.
+
+use crate::math::{Rotation, SUBPX_BITS, Vec3, view_rotation};
+use crate::scene::{Camera, Projection};
+
+/// Screen distance per view-space ratio (perspective: x / w; parallel: x in
+/// world units): `mantissa / 2^31 * 2^exponent` in raw sub-pixels, mantissa in
+/// 2^30..2^31. Pixels are square, so that it holds for x and y.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Lens {
+    /// Folded into the clip rows of x and y.
+    pub mantissa: i32,
+    /// Applied when a clip coordinate becomes a screen position.
+    pub exponent: i32,
+}
+
+/// A camera with its screen.
+#[derive(Clone, Copy, Debug)]
+pub struct ViewFrame {
+    /// World to view directions.
+    pub rotation: Rotation,
+    /// Where the eye is.
+    pub eye: Vec3,
+    /// Focal length or scale.
+    pub lens: Lens,
+    /// Whether things shrink with distance.
+    pub perspective: bool,
+    /// Distance of the near plane, raw world bits, at least 1.
+    pub near: i32,
+    /// Distance of the far plane, raw world bits, above `near`.
+    pub far: i32,
+    /// Screen width in pixels.
+    pub width: u16,
+    /// Screen height in pixels.
+    pub height: u16,
+}
+
+impl ViewFrame {
+    /// The view of `camera` on a screen of `width` x `height` pixels (at most
+    /// 2048 each). A camera whose line of sight has no direction looks along
+    /// -z; an up vector along the line of sight is replaced.
+    pub fn new(camera: &Camera, width: u16, height: u16) -> Self {
+        let up_instead = Vec3::from_ints(0, 0, 1);
+        let rotation = view_rotation(camera.position, camera.focal_point, camera.view_up)
+            .or_else(|| view_rotation(camera.position, camera.focal_point, up_instead))
+            .or_else(|| {
+                let x_up = Vec3::from_ints(1, 0, 0);
+                view_rotation(camera.position, camera.focal_point, x_up)
+            })
+            .unwrap_or(Rotation::IDENTITY);
+        let half_height = u64::from(height.clamp(1, 2048)) << (SUBPX_BITS - 1);
+        let (perspective, lens) = match camera.projection {
+            // 24 and 16 are the fractional bits of the divisors.
+            Projection::Perspective { tan_half_angle } => {
+                (true, Lens::new(half_height, tan_half_angle.to_bits(), 24))
+            }
+            Projection::Parallel { half_height: scale } => (
+                false,
+                Lens::new(half_height, scale.to_bits().max(1) as u32, 16),
+            ),
+        };
+        let near = camera.near.to_bits().clamp(1, i32::MAX - 1);
+        Self {
+            rotation,
+            eye: camera.position,
+            lens,
+            perspective,
+            near,
+            far: camera.far.to_bits().max(near + 1),
+            width,
+            height,
+        }
+    }
+}
+
+impl Lens {
+    /// `half_height / (divisor / 2^fraction)`; `half_height` below 2^21.
+    fn new(half_height: u64, divisor: u32, fraction: i32) -> Self {
+        let quotient = (half_height << 43) / u64::from(divisor.max(1));
+        let bits = 64 - quotient.leading_zeros() as i32;
+        let mantissa = if bits > 31 {
+            quotient >> (bits - 31)
+        } else {
+            quotient << (31 - bits)
+        };
+        Self {
+            mantissa: mantissa as i32,
+            exponent: bits - (43 - fraction),
+        }
+    }
+}
