@@ -27,7 +27,7 @@ mod view;
 pub use compare::compare;
 pub use frame::{Frame, FrameError, Lookup, NO_TRIANGLE};
 pub use model::actor_matrix;
-pub use render::{Options, render};
+pub use render::{Options, render, render_watched};
 pub use report::{Mismatch, MismatchKind, PSNR_IDENTICAL_DB, Report};
 pub use truth::{Hit, Truth};
 pub use view::View;

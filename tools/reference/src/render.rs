@@ -27,6 +27,12 @@ const COPLANAR: f64 = 1e-12;
 /// Finds the nearest surface at every pixel's centre (at `x + 0.5, y + 0.5`,
 /// `y` down; a centre exactly on an edge follows the top-left rule).
 pub fn render(scene: &Scene, options: Options) -> Truth {
+    render_watched(scene, options, &|| ())
+}
+
+/// As [`render`]; calls `row_done` after each of the `height` rows, from any
+/// thread and in any order.
+pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sync)) -> Truth {
     let Options {
         width,
         height,
@@ -45,6 +51,7 @@ pub fn render(scene: &Scene, options: Options) -> Truth {
                 *pixel = nearest(&geometry.faces, &bvh, &view, &ray)
                     .map(|seen| seen.hit(&view, scene.actors[seen.face.actor].material));
             }
+            row_done();
         });
     let background = (0..height)
         .map(|y| row_colour(&scene.display.background, y, height))

@@ -112,11 +112,10 @@ impl Truth {
             .collect()
     }
 
-    /// 0 where nothing is seen, otherwise 1 + the actor's index.
+    /// 0 where nothing is seen, otherwise 1 + the actor's index (at most
+    /// 65535: later actors share that number).
     pub fn actor_ids(&self) -> Vec<u16> {
-        self.pixels
-            .iter()
-            .map(|p| p.map_or(0, |hit| hit.actor as u16 + 1))
-            .collect()
+        let id = |hit: Hit| u16::try_from(hit.actor + 1).unwrap_or(u16::MAX);
+        self.pixels.iter().map(|p| p.map_or(0, id)).collect()
     }
 }

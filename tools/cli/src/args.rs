@@ -1,0 +1,236 @@
+//! The command line's words. Scripts rely on them: they only ever grow.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// Fixed-point 3D for displays on microcontrollers: render, compare and bake
+/// scenes.
+#[derive(Debug, Parser)]
+#[command(name = "fixel", version)]
+pub struct Cli {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Render one frame to a PNG file.
+    Render(Render),
+    /// Hold a frame against the f64 reference: coverage, depth, light, colour.
+    Compare(Compare),
+    /// Turn a scene or a mesh into one .fxl file for flash.
+    Bake(Bake),
+    /// Say what is in a .fxl file.
+    Info(Info),
+    /// (not there yet) Render many frames to a GIF, an APNG or a folder.
+    Animate(Animate),
+    /// (not there yet) Show a scene in a window.
+    View(View),
+    /// (not there yet) Flash, RAM and frames a second on a board.
+    Estimate(Estimate),
+}
+
+#[derive(Debug, Args)]
+pub struct Render {
+    /// A scene (.toml), a mesh (.obj, .glb, .gltf, .stl, .ply) or a baked
+    /// scene (.fxl).
+    pub scene: PathBuf,
+    /// The picture [default: the scene's name with .png, in this folder].
+    #[arg(short, long, value_name = "FRAME.png")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub frame: Frame,
+    /// How to render.
+    #[arg(long, value_enum, default_value_t)]
+    pub renderer: Renderer,
+    /// Rows in a band [default: the whole picture in one]. The pictures are
+    /// the same; the reference renderer has no bands.
+    #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..))]
+    pub bands: Option<u32>,
+    /// The depth buffer as a 16-bit grey PNG; 0 where nothing is seen.
+    #[arg(long, value_name = "D.png")]
+    pub depth_out: Option<PathBuf>,
+    /// 16-bit grey PNG: 0 background, otherwise 1 + the actor's index.
+    #[arg(long, value_name = "I.png")]
+    pub id_out: Option<PathBuf>,
+    /// Figures about the frame as JSON; - for standard output.
+    #[arg(long, value_name = "S.json|-")]
+    pub stats: Option<Destination>,
+    /// (not there yet) What the picture looks like on a panel.
+    #[arg(long, value_name = "NAME")]
+    pub display: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub struct Compare {
+    /// A scene, a mesh or a baked scene, as for render.
+    pub scene: PathBuf,
+    #[command(flatten)]
+    pub frame: Frame,
+    /// What to hold against the reference.
+    #[arg(long, value_enum, default_value_t)]
+    pub renderer: Tested,
+    /// Rows in a band [default: the whole picture in one].
+    #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..))]
+    pub bands: Option<u32>,
+    /// The figures as JSON; - for standard output.
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<Destination>,
+    /// (not there yet) An HTML report with heat maps in this folder.
+    #[arg(long, value_name = "DIR")]
+    pub report: Option<PathBuf>,
+}
+
+/// Which frame, how large.
+#[derive(Debug, Args)]
+pub struct Frame {
+    /// Picture size in pixels [default: the scene's display].
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// Frame of the animation.
+    #[arg(long = "frame", value_name = "N", default_value_t = 0)]
+    pub number: u32,
+}
+
+#[derive(Debug, Args)]
+pub struct Bake {
+    /// A scene or a mesh, as for render.
+    pub scene: PathBuf,
+    /// The baked scene.
+    #[arg(short, long, value_name = "OUT.fxl")]
+    pub output: PathBuf,
+    /// Simplify each mesh to at most N triangles.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub max_triangles: Option<u32>,
+    /// Colours of the palette, 2 to 256 [default: as the scene says].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=256))]
+    pub colours: Option<u32>,
+}
+
+#[derive(Debug, Args)]
+pub struct Info {
+    /// A baked scene.
+    #[arg(value_name = "FILE.fxl")]
+    pub file: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub struct Animate {
+    /// A scene, a mesh or a baked scene, as for render.
+    pub scene: PathBuf,
+    /// A .gif, an animated .png, or a folder for single pictures.
+    #[arg(short, long, value_name = "OUT")]
+    pub output: PathBuf,
+    /// How many frames.
+    #[arg(long, value_name = "N")]
+    pub frames: Option<u32>,
+}
+
+#[derive(Debug, Args)]
+pub struct View {
+    /// A scene, a mesh or a baked scene, as for render.
+    pub scene: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub struct Estimate {
+    /// A scene, a mesh or a baked scene, as for render.
+    pub scene: PathBuf,
+    /// The board.
+    #[arg(long, value_name = "NAME")]
+    pub board: String,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Renderer {
+    /// The fixed-point rasteriser, as on a microcontroller.
+    #[default]
+    Raster,
+    /// (not there yet) The fixed-point ray caster.
+    Ray,
+    /// The f64 reference.
+    Reference,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Tested {
+    /// The fixed-point rasteriser, as on a microcontroller.
+    #[default]
+    Raster,
+    /// (not there yet) The fixed-point ray caster.
+    Ray,
+}
+
+/// A picture's size in pixels, each 1 to 2048.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    pub width: u32,
+    pub height: u32,
+}
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let side = |text: &str| text.parse().ok().filter(|v| (1..=2048).contains(v));
+        text.split_once('x')
+            .and_then(|(w, h)| {
+                Some(Self {
+                    width: side(w)?,
+                    height: side(h)?,
+                })
+            })
+            .ok_or_else(|| {
+                "expected WIDTHxHEIGHT in pixels, each 1 to 2048, such as 320x240".into()
+            })
+    }
+}
+
+/// Where JSON goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Destination {
+    /// Standard output, which then carries nothing else.
+    Stdout,
+    /// A file.
+    File(PathBuf),
+}
+
+impl FromStr for Destination {
+    type Err = std::convert::Infallible;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        Ok(if text == "-" {
+            Self::Stdout
+        } else {
+            Self::File(text.into())
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_definition_is_sound() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn sizes() {
+        assert_eq!(
+            "320x240".parse(),
+            Ok(Size {
+                width: 320,
+                height: 240
+            })
+        );
+        for wrong in [
+            "", "320", "320x", "x240", "0x240", "320x0", "2049x1", "320X240", "1x2x3",
+        ] {
+            assert!(wrong.parse::<Size>().is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! `fixel compare`.
+
+use crate::args::{Destination, Tested};
+use crate::{args, input, output, raster, reference};
+use anyhow::{Context, Result, bail};
+use fixel_reference::Report;
+use serde::Serialize;
+
+/// A report and what it is about.
+#[derive(Serialize)]
+struct Comparison<'a> {
+    scene: String,
+    renderer: &'static str,
+    frame: u32,
+    #[serde(flatten)]
+    report: &'a Report,
+}
+
+/// Renders a frame twice and reports how they differ.
+pub fn run(args: &args::Compare) -> Result<()> {
+    if args.report.is_some() {
+        bail!("--report is not there yet");
+    }
+    let renderer = match args.renderer {
+        Tested::Raster => "raster",
+        Tested::Ray => bail!("the ray renderer is not there yet"),
+    };
+    let scene = input::load(&args.scene)?;
+    let at = input::options(&scene, &args.frame);
+    let options = raster::Options {
+        width: at.width,
+        height: at.height,
+        frame: at.frame,
+        bands: args.bands,
+    };
+    let name = || args.scene.display().to_string();
+    let rendered = raster::render(&scene, options).with_context(name)?;
+    let truth = reference::render(&scene, at);
+    let report = fixel_reference::compare(&truth, &rendered.frame).with_context(name)?;
+    if let Some(destination) = &args.json {
+        let comparison = Comparison {
+            scene: name(),
+            renderer,
+            frame: at.frame,
+            report: &report,
+        };
+        output::json(destination, &comparison)?;
+    }
+    if args.json == Some(Destination::Stdout) {
+        Ok(())
+    } else {
+        output::stdout(&summary(&report))
+    }
+}
+
+/// The figures for a reader.
+fn summary(report: &Report) -> String {
+    let at = |at: Option<[u32; 2]>| at.map_or(String::new(), |[x, y]| format!(" at {x}, {y}"));
+    let mut text = format!(
+        "size        {} x {} px, {} covered\n\
+         coverage    {} px differ ({:.4} %)\n\
+         visible     {} px show another triangle\n\
+         depth       max {:.2}{}, mean {:.3}, {:.2} % within 1 of 65535\n\
+         light       max {:.2}{}, mean {:.3}, {:.2} % within 2 of 255\n\
+         colour      {:.2} dB, {:.2} dB against the unquantised truth\n\
+         index       {:.2} % equal\n",
+        report.width,
+        report.height,
+        report.covered_px,
+        report.coverage_mismatch_px,
+        report.coverage_mismatch_percent,
+        report.visible_mismatch_px,
+        report.depth_max_lsb,
+        at(report.depth_max_at),
+        report.depth_mean_lsb,
+        report.depth_within_1_percent,
+        report.level_max,
+        at(report.level_max_at),
+        report.level_mean,
+        report.level_within_2_percent,
+        report.rgb_psnr_db,
+        report.rgb_psnr_true_db,
+        report.index_equal_percent,
+    );
+    for m in &report.mismatches {
+        text += &format!(
+            "  {:?} at {}, {}: truth {:?}, frame {:?}\n",
+            m.kind, m.x, m.y, m.truth, m.frame
+        );
+    }
+    text
+}

@@ -1,0 +1,152 @@
+//! `fixel render`.
+
+use crate::args::{Destination, Renderer};
+use crate::{args, input, output, raster, reference};
+use anyhow::{Context, Result, bail};
+use clap::{CommandFactory, error::ErrorKind};
+use fixel_scene::Scene;
+use serde_json::{Map, Value, json};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// What any renderer delivers.
+struct Picture {
+    rgb: Vec<[u8; 3]>,
+    depth: Vec<u16>,
+    actor: Vec<u16>,
+    stats: Map<String, Value>,
+}
+
+/// Renders one frame and writes what was asked for.
+pub fn run(args: &args::Render) -> Result<()> {
+    let picture_path = match &args.output {
+        Some(path) => path.clone(),
+        None => default_output(&args.scene),
+    };
+    refuse_same_file(args, &picture_path);
+    if args.display.is_some() {
+        bail!("--display is not there yet");
+    }
+    let scene = input::load(&args.scene)?;
+    let options = input::options(&scene, &args.frame);
+    let (width, height) = (options.width, options.height);
+    let started = Instant::now();
+    let picture = draw(args, &scene, options)?;
+    let milliseconds = started.elapsed().as_secs_f64() * 1e3;
+
+    output::write(
+        &picture_path,
+        &output::png_rgb(width, height, &picture.rgb)?,
+    )?;
+    if let Some(path) = &args.depth_out {
+        output::write(path, &output::png_grey16(width, height, &picture.depth)?)?;
+    }
+    if let Some(path) = &args.id_out {
+        output::write(path, &output::png_grey16(width, height, &picture.actor)?)?;
+    }
+    if let Some(destination) = &args.stats {
+        let mut stats = common_stats(args, &scene, options, &picture);
+        stats.insert("render_ms".into(), json!(milliseconds));
+        stats.extend(picture.stats);
+        output::json(destination, &stats)?;
+    }
+    eprintln!("wrote {} ({width}x{height})", picture_path.display());
+    Ok(())
+}
+
+/// In the current folder, the scene's name with `.png`.
+fn default_output(scene: &Path) -> PathBuf {
+    let mut name = scene.file_stem().unwrap_or("frame".as_ref()).to_owned();
+    name.push(".png");
+    name.into()
+}
+
+/// Two outputs to one file are wrong usage.
+fn refuse_same_file(args: &args::Render, picture: &Path) {
+    let stats = match &args.stats {
+        Some(Destination::File(path)) => Some(path.as_path()),
+        _ => None,
+    };
+    let outputs = [
+        Some(picture),
+        args.depth_out.as_deref(),
+        args.id_out.as_deref(),
+        stats,
+    ];
+    for (i, path) in outputs.iter().enumerate() {
+        if path.is_some() && outputs[..i].contains(path) {
+            let name = path.unwrap_or(picture).display();
+            let message = format!("two outputs go to the same file {name}");
+            args::Cli::command()
+                .error(ErrorKind::ArgumentConflict, message)
+                .exit();
+        }
+    }
+}
+
+fn draw(args: &args::Render, scene: &Scene, at: fixel_reference::Options) -> Result<Picture> {
+    match args.renderer {
+        Renderer::Reference => {
+            let truth = reference::render(scene, at);
+            Ok(Picture {
+                rgb: truth.picture(),
+                depth: truth.depth16(),
+                actor: truth.actor_ids(),
+                stats: Map::new(),
+            })
+        }
+        Renderer::Raster => {
+            let options = raster::Options {
+                width: at.width,
+                height: at.height,
+                frame: at.frame,
+                bands: args.bands,
+            };
+            let rendered =
+                raster::render(scene, options).with_context(|| args.scene.display().to_string())?;
+            let frame = rendered.frame;
+            Ok(Picture {
+                rgb: frame.rgb,
+                depth: frame.depth,
+                actor: frame.actor,
+                stats: rendered.stats,
+            })
+        }
+        Renderer::Ray => bail!("the ray renderer is not there yet"),
+    }
+}
+
+/// What holds for every renderer.
+fn common_stats(
+    args: &args::Render,
+    scene: &Scene,
+    options: fixel_reference::Options,
+    picture: &Picture,
+) -> Map<String, Value> {
+    let triangles = |actor: &fixel_scene::Actor| scene.meshes[actor.mesh].triangles.len();
+    let renderer = match args.renderer {
+        Renderer::Raster => "raster",
+        Renderer::Ray => "ray",
+        Renderer::Reference => "reference",
+    };
+    let fields = [
+        ("scene", json!(args.scene.display().to_string())),
+        ("renderer", json!(renderer)),
+        ("width", json!(options.width)),
+        ("height", json!(options.height)),
+        ("frame", json!(options.frame)),
+        (
+            "covered_px",
+            json!(picture.actor.iter().filter(|id| **id != 0).count()),
+        ),
+        ("actors", json!(scene.actors.len())),
+        (
+            "triangles",
+            json!(scene.actors.iter().map(triangles).sum::<usize>()),
+        ),
+    ];
+    fields
+        .into_iter()
+        .map(|(name, value)| (name.to_owned(), value))
+        .collect()
+}
