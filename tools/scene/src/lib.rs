@@ -39,6 +39,11 @@ pub fn load_with_notes(path: &Path) -> Result<(Scene, Vec<String>), Error> {
         })?;
         file::parse(path, text, &mut notes)?
     } else {
+        mesh::check_name(path).map_err(|_| {
+            let meshes = mesh::EXTENSIONS.join(", .");
+            let what = "is not a kind of file that can be read; expected one of .toml";
+            Error::new(path, format!("{what}, .{meshes}"))
+        })?;
         bare::scene(path, &mut notes)?
     };
     Ok((scene, notes))

@@ -9,6 +9,8 @@ mod light;
 mod material;
 mod panel;
 mod table;
+#[cfg(test)]
+mod tests;
 
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};

@@ -213,7 +213,7 @@ impl<'t, 'i> Table<'t, 'i> {
             *number = to_f64(value.get_ref()).ok_or_else(|| wrong("holds what is not a number"))?;
             if !(-limit..=limit).contains(number) {
                 return Err(wrong(&format!(
-                    "{number} is out of range (-{limit}..={limit})"
+                    "{number} is out of range (-{limit:e}..={limit:e})"
                 )));
             }
         }

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use base64::Engine;
 use glam::{DMat3, DMat4, DQuat, DVec3};
+use gltf::json::validation::Checked;
 use gltf::mesh::Mode;
 use gltf::{Document, Gltf, Node, Primitive, Semantic};
 
@@ -24,6 +25,7 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Soup, Refusal> {
              expected a file without it, e.g. exported without compression"
         )));
     }
+    check_positions(&unchecked)?;
     let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(|e| refusal(bytes, &e))?;
     let buffers = buffers(path, &document, blob)?;
     let mut reader = Walk {
@@ -45,6 +47,27 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Soup, Refusal> {
         }
     }
     Ok(reader.finish())
+}
+
+/// The crate's own check trusts these indices (gltf-json 1.4.1, mesh.rs).
+fn check_positions(document: &Document) -> Result<(), Refusal> {
+    let root = document.as_json();
+    for (at, mesh) in root.meshes.iter().enumerate() {
+        for attributes in mesh
+            .primitives
+            .iter()
+            .map(|primitive| &primitive.attributes)
+        {
+            let positions = attributes.get(&Checked::Valid(Semantic::Positions));
+            if let Some(index) = positions
+                && index.value() >= root.accessors.len()
+            {
+                let what = format!("meshes[{at}]: accessor {} does not exist", index.value());
+                return Err(Refusal::new(what));
+            }
+        }
+    }
+    Ok(())
 }
 
 fn refusal(bytes: &[u8], error: &gltf::Error) -> Refusal {
@@ -259,9 +282,12 @@ fn local(node: &Node<'_>) -> DMat4 {
 
 /// Linear light to display-encoded (IEC 61966-2-1).
 fn encode(linear: f32) -> f64 {
-    let linear = f64::from(linear).clamp(0.0, 1.0);
+    let linear = f64::from(linear).max(0.0);
     if linear <= 0.003_130_8 {
         linear * 12.92
+    } else if linear >= 1.0 {
+        // The power does not give just 1.
+        1.0
     } else {
         1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055
     }

@@ -10,6 +10,8 @@ mod obj;
 mod ply;
 mod polygon;
 mod stl;
+#[cfg(test)]
+mod tests;
 
 use std::path::Path;
 
@@ -24,7 +26,7 @@ const MAX_BYTES: u64 = 1 << 30;
 const MAX_COORDINATE: f64 = 1e9;
 
 /// Extensions that [`parse`] reads.
-const EXTENSIONS: &[&str] = &["obj", "glb", "gltf", "stl", "ply"];
+pub(crate) const EXTENSIONS: &[&str] = &["obj", "glb", "gltf", "stl", "ply"];
 
 /// A mesh and what else its file says.
 #[derive(Debug)]
@@ -97,7 +99,10 @@ pub(crate) fn check_name(path: &Path) -> Result<(), String> {
 
 /// A whole file.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>, String> {
-    let cannot = |error: std::io::Error| format!("cannot be read: {error}");
+    let cannot = |error: std::io::Error| match error.kind() {
+        std::io::ErrorKind::NotFound => "does not exist".to_owned(),
+        _ => format!("cannot be read: {error}"),
+    };
     let bytes = std::fs::metadata(path).map_err(cannot)?.len();
     if bytes > MAX_BYTES {
         return Err(format!("has {bytes} bytes; expected at most {MAX_BYTES}"));

@@ -1,0 +1,261 @@
+//! Each kind of mistake, and the exact words that a user reads.
+
+use std::path::PathBuf;
+
+use super::parse;
+use crate::description::{
+    Background, ColourFormat, Cull, Light, LightKind, Projection, Scene, Shading,
+};
+
+/// A scene file that is not there, among the repository's scenes.
+fn path() -> PathBuf {
+    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/t.toml"))
+}
+
+fn read(text: &str) -> Result<Scene, String> {
+    parse(&path(), text, &mut Vec::new()).map_err(|error| {
+        let folder = format!("{}/", path().parent().unwrap().display());
+        let line = error.to_string();
+        assert!(!line.contains('\n'), "{line}");
+        line.replace(&folder, "")
+    })
+}
+
+const ACTOR: &str = "[[actor]]\nmesh = \"meshes/cube.obj\"\n";
+
+/// The message for `text` before an actor that is in order.
+fn refused(text: &str) -> String {
+    read(&format!("{text}\n{ACTOR}")).unwrap_err()
+}
+
+macro_rules! messages {
+    ($($name:ident: $text:expr => $message:expr;)*) => {$(
+        #[test]
+        fn $name() {
+            assert_eq!(refused($text), $message);
+        }
+    )*};
+}
+
+messages! {
+    syntax: "[display]\nwidth = = 3"
+        => "t.toml:2:9: not TOML: extra `=`, expected nothing";
+    unknown_key: "[display]\n\nwidht = 3"
+        => "t.toml:3: display.widht: is an unknown key; did you mean width?";
+    american_colour: "[[material]]\ncolor = \"#ffffff\""
+        => "t.toml:2: material.color: is an unknown key; did you mean colour?";
+    unknown_table: "[cameras]"
+        => "t.toml:1: cameras: is an unknown key; did you mean camera?";
+    nothing_near: "[animation]\nxyzzyplugh = 1"
+        => "t.toml:2: animation.xyzzyplugh: is an unknown key; expected one of turntable";
+    table_of_many: "[light]\nkind = \"ambient\""
+        => "t.toml:1: light: is not a list of tables; expected [[light]]";
+    table_of_one: "[[camera]]\nposition = [0, 0, 1]"
+        => "t.toml:1: camera: is not a table; expected [camera] once";
+    width_zero: "[display]\nwidth = 0"
+        => "t.toml:2: display.width: 0 is out of range; expected a whole number in 1..=2048";
+    width_text: "[display]\nwidth = \"wide\""
+        => "t.toml:2: display.width: is not a whole number; expected a whole number in 1..=2048";
+    colour_format: "[display]\ncolour = \"rgb\""
+        => "t.toml:2: display.colour: \"rgb\" is unknown; expected \"rgb888\" or \"rgb565\" or \
+            \"rgb444\" or \"gray8\" or \"gray4\" or \"gray2\" or \"mono\"";
+    background: "[display]\nbackground = \"blue\""
+        => "t.toml:2: display.background: \"blue\" is not a colour; \
+            expected e.g. background = \"#ff8800\"";
+    gradient: "[display]\nbackground = [\"#000000\"]"
+        => "t.toml:2: display.background: has 1 colours where 2 belong; \
+            expected e.g. background = [\"#204060\", \"#000000\"]";
+    near_and_far: "[camera]\nposition = [0, 0, 5]\nclipping_range = [5, 5]"
+        => "t.toml:3: camera.clipping_range: near 5 is not less than far 5; \
+            expected [near, far], e.g. clipping_range = [0.1, 100]";
+    near_zero: "[camera]\nposition = [0, 0, 5]\nclipping_range = [0, 5]"
+        => "t.toml:3: camera.clipping_range: near 0 is not greater than 0; \
+            expected [near, far], e.g. clipping_range = [0.1, 100]";
+    same_points: "[camera]\nposition = [1, 2, 3]\nfocal_point = [1, 2, 3]"
+        => "t.toml:3: camera.focal_point: position and focal_point are the same; \
+            expected e.g. position = [0, 0, 5], focal_point = [0, 0, 0]";
+    view_up_parallel: "[camera]\nposition = [0, 5, 0]\nview_up = [0, 2, 0]"
+        => "t.toml:3: camera.view_up: view_up is parallel to the line of sight; \
+            expected e.g. view_up = [0, 0, 1]";
+    view_up_default_parallel: "[camera]\nposition = [0, 5, 0]"
+        => "t.toml:2: camera.position: view_up is parallel to the line of sight; \
+            expected e.g. view_up = [0, 0, 1]";
+    view_up_zero: "[camera]\nview_up = [0, 0, 0]"
+        => "t.toml:2: camera.view_up: has length 0; expected e.g. view_up = [0, 1, 0]";
+    view_angle: "[camera]\nview_angle = 180"
+        => "t.toml:2: camera.view_angle: 180 is out of range; expected a number in 0.01..=179";
+    infinite: "[camera]\nposition = [0, inf, 5]"
+        => "t.toml:2: camera.position: inf is out of range (-1e9..=1e9); \
+            expected e.g. position = [0, 0, 5]";
+    not_a_number: "[[material]]\nambient = nan"
+        => "t.toml:2: material.ambient: NaN is out of range; expected a number in 0..=1";
+    two_numbers: "[camera]\nposition = [0, 5]"
+        => "t.toml:2: camera.position: has 2 numbers where 3 belong; \
+            expected e.g. position = [0, 0, 5]";
+    light_kind: "[[light]]\nkind = \"sun\""
+        => "t.toml:2: light.kind: \"sun\" is unknown; expected \"directional\" or \"ambient\"";
+    light_without_kind: "\n[[light]]\ndirection = [0, 0, -1]"
+        => "t.toml:2: light.kind: is missing; \
+            expected kind = \"directional\" or kind = \"ambient\"";
+    point_light: "[[light]]\nposition = [0, 1, 0]\nkind = \"point\""
+        => "t.toml:3: light.kind: \"point\" is not supported yet; \
+            expected \"directional\" or \"ambient\"";
+    light_without_direction: "[[light]]\nkind = \"directional\""
+        => "t.toml:1: light.direction: is missing; \
+            expected the way the light travels, e.g. direction = [1, -1, -1]";
+    direction_zero: "[[light]]\nkind = \"directional\"\ndirection = [0, 0, 0]"
+        => "t.toml:3: light.direction: has length 0; expected e.g. direction = [1, -1, -1]";
+    coloured_light: "[[light]]\nkind = \"ambient\"\ncolour = \"#ff0000\""
+        => "t.toml:3: light.colour: a coloured light is not supported yet; \
+            expected a grey, e.g. colour = \"#ffffff\"";
+    phong: "[[material]]\nshading = \"phong\""
+        => "t.toml:2: material.shading: \"phong\" is not supported yet; \
+            expected \"flat\" or \"gouraud\"";
+    specular: "[[material]]\nspecular = 0.5"
+        => "t.toml:2: material.specular: is not supported yet; \
+            expected specular = 0, or no such key";
+    texture: "[[material]]\ntexture = \"wood.png\""
+        => "t.toml:2: material.texture: is not supported yet";
+    same_names: "[[material]]\nname = \"a\"\n[[material]]\nname = \"a\""
+        => "t.toml:4: material.name: \"a\" is the name of another; expected a name of its own";
+    viewport: "[[viewport]]\nx = 0"
+        => "t.toml:1: viewport: is not supported yet";
+    turntable: "[animation]\nturntable = 0"
+        => "t.toml:2: animation.turntable: 0 is out of range; \
+            expected a whole number in 1..=100000";
+    colours: "[palette]\ncolours = 257"
+        => "t.toml:2: palette.colours: 257 is out of range; expected a whole number in 2..=256";
+    no_material: "[[material]]\nname = \"a\"\n[[actor]]\nmesh = \"meshes/cube.obj\"\nmaterial = \"b\""
+        => "t.toml:5: actor.material: no [[material]] is named \"b\"; expected \"a\"";
+    no_mesh_key: "[[actor]]\nname = \"a\""
+        => "t.toml:1: actor.mesh: is missing; expected e.g. mesh = \"meshes/teapot.obj\"";
+    no_mesh_file: "[[actor]]\nmesh = \"meshes/none.obj\""
+        => "t.toml:2: actor.mesh: \"meshes/none.obj\" does not exist";
+    no_mesh_kind: "[[actor]]\nmesh = \"meshes/cube.dae\""
+        => "t.toml:2: actor.mesh: \"meshes/cube.dae\" is not a kind of mesh file; \
+            expected one of .obj, .glb, .gltf, .stl, .ply";
+    scale_zero: "[[actor]]\nmesh = \"meshes/cube.obj\"\nscale = [1, 0, 1]"
+        => "t.toml:3: actor.scale: 0 is out of range (1e-6..=1e6 either side of 0); \
+            expected e.g. scale = 2 or scale = [1, 2, 1]";
+    sphere: "[[actor]]\nsphere = 1"
+        => "t.toml:2: actor.sphere: is not supported yet";
+    wireframe: "[[actor]]\nmesh = \"meshes/cube.obj\"\nrepresentation = \"wireframe\""
+        => "t.toml:3: actor.representation: is not supported yet; \
+            expected representation = \"surface\", or no such key";
+    shear: "[[actor]]\nmesh = \"meshes/cube.obj\"\nshear = [0, 1, 0]"
+        => "t.toml:3: actor.shear: is not supported yet; \
+            expected shear = [0, 0, 0], or no such key";
+}
+
+#[test]
+fn no_actor() {
+    let message = "t.toml: actor: is missing; expected at least one [[actor]] with a mesh";
+    assert_eq!(read("").unwrap_err(), message);
+}
+
+#[test]
+fn neutral_values_of_later_keys_are_accepted() {
+    let scene = read(
+        "[[material]]\nspecular = 0\nspecular_power = 20\nopacity = 1.0\nreflectivity = 0\n\
+         refractive_index = 1\n[[actor]]\nmesh = \"meshes/cube.obj\"\nshear = [0, 0.0, 0]\n\
+         representation = \"surface\"\n[camera]\nroll = 0\n[palette]\ndithering = \"none\"",
+    );
+    scene.unwrap();
+}
+
+#[test]
+fn defaults_are_vtks() {
+    let scene = read(ACTOR).unwrap();
+    assert_eq!((scene.display.width, scene.display.height), (320, 240));
+    assert_eq!(scene.display.background, Background::Solid([0.0; 3]));
+    assert_eq!(scene.palette.colours, 256);
+    assert_eq!(scene.animation.turntable, None);
+    assert_eq!(scene.ambient, [1.0; 3]);
+    let [material] = &scene.materials[..] else {
+        panic!("one default material");
+    };
+    assert_eq!((material.ambient, material.diffuse), (0.0, 1.0));
+    assert_eq!(material.diffuse_colour, [1.0; 3]);
+    assert_eq!(
+        (material.shading, material.cull),
+        (Shading::Gouraud, Cull::Back)
+    );
+    // The unit cube's sphere has half its diagonal for radius.
+    let distance = 0.75_f64.sqrt() / 15_f64.to_radians().sin();
+    let camera = scene.camera;
+    assert!((camera.position[2] - distance).abs() < 1e-12);
+    assert_eq!(camera.position[..2], [0.0, 0.0]);
+    assert_eq!(
+        camera.projection,
+        Projection::Perspective { view_angle: 30.0 }
+    );
+    let direction = [0.0, 0.0, -camera.position[2]];
+    let headlight = Light {
+        kind: LightKind::Directional { direction },
+        colour: [1.0; 3],
+        intensity: 1.0,
+    };
+    assert_eq!(scene.lights, [headlight]);
+}
+
+#[test]
+fn a_narrow_display_is_framed_by_its_width() {
+    let text = format!("[display]\npanel = \"st7789-135x240\"\n{ACTOR}");
+    let camera = read(&text).unwrap().camera;
+    let half = (15_f64.to_radians().tan() * 135.0 / 240.0).atan();
+    assert!((camera.position[2] - 0.75_f64.sqrt() / half.sin()).abs() < 1e-12);
+}
+
+#[test]
+fn a_light_but_no_ambient_one_leaves_ambient_white() {
+    let text = "[[light]]\nkind = \"directional\"\ndirection = [0, -1, 0]\nintensity = 2";
+    let scene = read(&format!("{text}\n{ACTOR}")).unwrap();
+    assert_eq!((scene.ambient, scene.lights.len()), ([1.0; 3], 1));
+    let text = "[[light]]\nkind = \"ambient\"\ncolour = \"#333333\"\nintensity = 2";
+    let scene = read(&format!("{text}\n{ACTOR}")).unwrap();
+    assert_eq!((scene.ambient, scene.lights.len()), ([0.4; 3], 0));
+}
+
+#[test]
+fn panels_give_way_to_single_keys() {
+    let text = "[display]\npanel = \"ssd1306-128x64\"\ncolour = \"gray4\"";
+    let display = read(&format!("{text}\n{ACTOR}")).unwrap().display;
+    assert_eq!((display.width, display.height), (128, 64));
+    assert_eq!(display.colour, ColourFormat::Gray4);
+}
+
+#[test]
+fn a_mesh_is_read_once() {
+    let scene = read(&format!("{ACTOR}{ACTOR}scale = -2\n")).unwrap();
+    assert_eq!((scene.meshes.len(), scene.actors.len()), (1, 2));
+    assert_eq!(scene.actors[1].scale, [-2.0; 3]);
+}
+
+#[test]
+fn clipping_holds_every_frame_of_a_turntable() {
+    let text = "[camera]\nposition = [0, 0, 10]\n[animation]\nturntable = 8\n[[actor]]\n\
+                mesh = \"meshes/cube.obj\"\nposition = [3, 0, 0]\norigin = [-3, 0, 0]";
+    let [near, far] = read(text).unwrap().camera.clipping_range;
+    // The cube's middle goes round the world's y axis at a distance of 3.
+    let reach = (3.5_f64 * 3.5 + 0.5).sqrt();
+    assert!(near < 10.0 - reach && near > 9.0 - reach);
+    assert!(far > 10.0 + reach && far < 11.0 + reach);
+}
+
+#[test]
+fn an_eye_inside_the_scene_has_a_sensible_near_plane() {
+    let text = format!("[camera]\nposition = [0, 0, 0.1]\n{ACTOR}");
+    let [near, far] = read(&text).unwrap().camera.clipping_range;
+    assert_eq!(near, far * 0.01);
+}
+
+#[test]
+fn cut_anywhere_a_file_never_panics() {
+    let file = path().with_file_name("many_actors.toml");
+    let text = std::fs::read_to_string(file).unwrap();
+    let head = &text[..text.find("[[actor]]").unwrap()];
+    for end in 0..head.len() {
+        let _ = read(&head[..end]);
+        let _ = read(&format!("{}\"\n{ACTOR}", &head[..end]));
+    }
+}
