@@ -75,6 +75,11 @@ impl<'a> Scene<'a> {
         })
     }
 
+    /// Number of materials.
+    pub fn material_count(&self) -> u16 {
+        self.materials.len() as u16
+    }
+
     /// A material; an index out of range gives a plain one.
     pub fn material(&self, index: u16) -> Material {
         read(self.materials, usize::from(index)).unwrap_or(Material {

@@ -1,1 +1,18 @@
-//! Baker: a scene description becomes a `.fxl` blob for flash.
+//! The baker: a scene description becomes a `.fxl` blob for flash.
+//!
+//! In: [`fixel_scene::Scene`]. Out: [`Baked`]: the blob, and the way back from
+//! its triangles to the description's. Used by the commands, by build scripts
+//! and by tests.
+
+mod blob;
+mod error;
+mod grid;
+mod instance;
+mod meshlet;
+mod normal;
+mod oklab;
+mod palette;
+mod units;
+
+pub use blob::{Baked, Source, bake};
+pub use error::BakeError;

@@ -1,0 +1,43 @@
+//! Why a scene cannot be baked.
+
+use std::fmt;
+
+/// Something that a blob cannot hold.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BakeError {
+    /// More of something than the format counts.
+    TooMany {
+        /// Of what.
+        what: &'static str,
+        /// How many there are.
+        found: usize,
+        /// How many there may be.
+        most: usize,
+    },
+    /// A capability that the renderer does not have yet.
+    NotYet {
+        /// What, and where.
+        what: String,
+    },
+    /// A number that the format cannot hold.
+    Range {
+        /// Which, and where.
+        what: String,
+        /// Its value.
+        value: f64,
+    },
+}
+
+impl fmt::Display for BakeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooMany { what, found, most } => {
+                write!(f, "{found} {what}, at most {most} can be baked")
+            }
+            Self::NotYet { what } => write!(f, "{what} is not supported yet"),
+            Self::Range { what, value } => write!(f, "{what} is {value}, out of range"),
+        }
+    }
+}
+
+impl std::error::Error for BakeError {}

@@ -1,0 +1,35 @@
+//! What a panel of a given colour depth makes of a colour.
+
+use fixel::palette::rgb565;
+use fixel::scene::ColourFormat;
+
+/// The colour that the panel shows for an 8-bit colour, as 8 bits a channel.
+pub fn shown(format: ColourFormat, colour: [u8; 3]) -> [u8; 3] {
+    match format {
+        ColourFormat::Rgb888 => colour,
+        ColourFormat::Rgb565 => {
+            let bits = rgb565(colour);
+            let widen = |v: u16, most: u16| ((v * 255 + most / 2) / most) as u8;
+            [
+                widen(bits >> 11, 31),
+                widen(bits >> 5 & 63, 63),
+                widen(bits & 31, 31),
+            ]
+        }
+        ColourFormat::Rgb444 => colour.map(|c| step(c, 15)),
+        ColourFormat::Gray8 => [luma(colour); 3],
+        ColourFormat::Gray4 => [step(luma(colour), 15); 3],
+        ColourFormat::Gray2 => [step(luma(colour), 3); 3],
+        ColourFormat::Mono => [step(luma(colour), 1); 3],
+    }
+}
+
+/// The nearest of `most + 1` steps.
+fn step(c: u8, most: u32) -> u8 {
+    ((u32::from(c) * most + 127) / 255 * 255 / most) as u8
+}
+
+/// ITU-R BT.601 luma of the display-encoded colour.
+fn luma([r, g, b]: [u8; 3]) -> u8 {
+    ((299 * u32::from(r) + 587 * u32::from(g) + 114 * u32::from(b) + 500) / 1000) as u8
+}

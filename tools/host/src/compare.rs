@@ -1,0 +1,55 @@
+//! A frame in the shape that is held against the reference.
+
+use fixel::Scene;
+use fixel_bake::Baked;
+use fixel_reference::{Frame, Lookup, NO_TRIANGLE};
+
+use crate::planes::{self, Options};
+use crate::{Planes, shown};
+
+/// Renders every plane of a baked scene.
+pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Planes) {
+    let drawn = planes::render(scene, options);
+    let there: Vec<bool> = drawn.depth.iter().map(|d| *d != 0).collect();
+    let actor = planes::actors(scene, options).into_iter().zip(&there);
+    let triangle = planes::triangles(scene, options).into_iter().zip(&there);
+    let palette: Vec<[u8; 3]> = scene
+        .palette()
+        .iter()
+        .map(|c| shown(scene.colour_format(), *c))
+        .collect();
+    let source = |id: u32| {
+        baked
+            .sources
+            .get(id as usize)
+            .map_or(NO_TRIANGLE, |s| s.triangle)
+    };
+    let frame = Frame {
+        width: options.width.into(),
+        height: options.height.into(),
+        actor: actor
+            .map(|(id, there)| if *there { id + 1 } else { 0 })
+            .collect(),
+        triangle: triangle
+            .map(|(id, there)| if *there { source(id) } else { NO_TRIANGLE })
+            .collect(),
+        level: planes::levels(scene, options),
+        rgb: drawn
+            .index
+            .iter()
+            .map(|i| palette.get(usize::from(*i)).copied().unwrap_or_default())
+            .collect(),
+        index: drawn.index.clone(),
+        depth: drawn.depth.clone(),
+        lookup: Lookup {
+            shade: (0..scene.material_count())
+                .map(|m| *scene.shade(&scene.material(m)))
+                .collect(),
+            background: (0..options.height)
+                .map(|y| scene.background(y, options.height))
+                .collect(),
+            palette,
+        },
+    };
+    (frame, drawn)
+}

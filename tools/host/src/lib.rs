@@ -1,0 +1,14 @@
+//! The core on the desktop: whole frames with every plane that a comparison, a
+//! picture or a viewer needs.
+//!
+//! In: a baked scene. Out: [`Planes`], and for scenes baked from a description
+//! the [`fixel_reference::Frame`] that is held against the reference. Used by
+//! the commands and by tests.
+
+mod colour;
+mod compare;
+mod planes;
+
+pub use colour::shown;
+pub use compare::frame;
+pub use planes::{Options, Planes, render};

@@ -1,0 +1,117 @@
+//! A frame from the rasteriser, collected band by band.
+
+use std::convert::Infallible;
+
+use fixel::display::Display;
+use fixel::frame::BandRows;
+use fixel::palette::Palette;
+use fixel::render::{
+    FrameStats, Paint, PaintActor, PaintLevel, PaintTriangle, Scratch, Shaded, render_frame_with,
+};
+use fixel::{Band, Scene};
+
+/// What to render.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Width in pixels, 1..=2048.
+    pub width: u16,
+    /// Height in pixels, 1..=2048.
+    pub height: u16,
+    /// Frame of the animation.
+    pub frame: u32,
+    /// Rows of a band; `None`: one band as high as the screen.
+    pub band_rows: Option<u16>,
+}
+
+impl Options {
+    /// The scene's own size, frame 0, one band.
+    pub fn of(scene: &Scene<'_>) -> Self {
+        Self {
+            width: scene.width(),
+            height: scene.height(),
+            frame: 0,
+            band_rows: None,
+        }
+    }
+}
+
+/// A whole frame. Pixels go by rows from the top left.
+#[derive(Clone, Debug)]
+pub struct Planes {
+    /// Palette indices.
+    pub index: Vec<u8>,
+    /// Depths; 0 where nothing is.
+    pub depth: Vec<u16>,
+    /// What the frame took.
+    pub stats: FrameStats,
+}
+
+/// Meshlets, kept meshlets and actors: the host has the memory.
+type HostScratch = Scratch<4096, 256, 64>;
+
+struct Collector(Planes);
+
+impl Display for Collector {
+    type Error = Infallible;
+
+    fn begin(&mut self, _: &Palette<'_>) -> Result<(), Infallible> {
+        Ok(())
+    }
+
+    fn show(&mut self, rows: BandRows<'_>) -> Result<(), Infallible> {
+        self.0.index.extend(rows.indices);
+        self.0.depth.extend(rows.depths);
+        Ok(())
+    }
+}
+
+/// Renders the scene as it looks.
+pub fn render(scene: &Scene<'_>, options: &Options) -> Planes {
+    paint(&Shaded, scene, options)
+}
+
+/// Renders the light level of each pixel, 0 where nothing is.
+pub(crate) fn levels(scene: &Scene<'_>, options: &Options) -> Vec<u8> {
+    paint(&PaintLevel, scene, options).index
+}
+
+/// Renders the actor of each pixel; meaningless where nothing is.
+pub(crate) fn actors(scene: &Scene<'_>, options: &Options) -> Vec<u16> {
+    let [low, high] = [0, 1].map(|byte| paint(&PaintActor { byte }, scene, options).index);
+    let join = |(low, high): (u8, u8)| u16::from_le_bytes([low, high]);
+    low.into_iter().zip(high).map(join).collect()
+}
+
+/// Renders the triangle (its place in the blob) of each pixel; meaningless where
+/// nothing is.
+pub(crate) fn triangles(scene: &Scene<'_>, options: &Options) -> Vec<u32> {
+    let bytes = [0, 1, 2, 3].map(|byte| paint(&PaintTriangle { byte }, scene, options).index);
+    let pixels = usize::from(options.width) * usize::from(options.height);
+    (0..pixels)
+        .map(|i| u32::from_le_bytes([0, 1, 2, 3].map(|b: usize| bytes[b][i])))
+        .collect()
+}
+
+fn paint<P: Paint>(paint: &P, scene: &Scene<'_>, options: &Options) -> Planes {
+    let rows = options
+        .band_rows
+        .unwrap_or(options.height)
+        .clamp(1, options.height.max(1));
+    let pixels = usize::from(options.width.max(1)) * usize::from(rows);
+    let (mut indices, mut depths) = (vec![0; pixels], vec![0; pixels]);
+    let mut scratch = Box::new(HostScratch::new());
+    let mut pose = scene.pose(options.frame);
+    pose.height = options.height;
+    let mut collector = Collector(Planes {
+        index: Vec::new(),
+        depth: Vec::new(),
+        stats: FrameStats::default(),
+    });
+    // The buffers hold `rows` rows of 1..=2048 pixels: a band there is.
+    if let Ok(mut band) = Band::new(options.width, &mut indices, &mut depths) {
+        let work = &mut scratch.workspace();
+        let Ok(stats) = render_frame_with(paint, scene, &pose, work, &mut band, &mut collector);
+        collector.0.stats = stats;
+    }
+    collector.0
+}
