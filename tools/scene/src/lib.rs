@@ -20,6 +20,17 @@ pub use error::Error;
 ///
 /// # Errors
 /// The first mistake found: what, in which file, and in which line of it.
+///
+/// ```
+/// use std::path::Path;
+///
+/// let scene = fixel_scene::load(Path::new("../../scenes/cube.toml"))?;
+/// assert_eq!(scene.meshes[0].triangles.len(), 12);
+///
+/// let error = fixel_scene::load(Path::new("../../scenes/cub.toml")).unwrap_err();
+/// assert_eq!(error.to_string(), "../../scenes/cub.toml: does not exist");
+/// # Ok::<(), fixel_scene::Error>(())
+/// ```
 pub fn load(path: &Path) -> Result<Scene, Error> {
     load_with_notes(path).map(|(scene, _)| scene)
 }

@@ -58,7 +58,12 @@ pub(super) fn camera(
     let parallel_scale = table.number("parallel_scale", super::FACTOR)?;
     let focal_point = table.numbers("focal_point", super::LENGTH, "[0, 0, 0]")?;
 
-    let mut camera = match table.numbers("position", super::LENGTH, "[0, 0, 5]")? {
+    let position = table.numbers("position", super::LENGTH, "[0, 0, 5]")?;
+    let framed = match focal_point {
+        Some(point) => bounds.seen_from_point(point.into()),
+        None => bounds.clone(),
+    };
+    let mut camera = match position {
         Some(position) => Camera {
             position,
             focal_point: focal_point.unwrap_or_default(),
@@ -66,18 +71,12 @@ pub(super) fn camera(
             projection: Projection::Perspective { view_angle },
             clipping_range: [0.0; 2],
         },
-        None => {
-            let bounds = match focal_point {
-                Some(point) => bounds.seen_from_point(point.into()),
-                None => bounds.clone(),
-            };
-            framing::frame(&bounds, DVec3::Z, view_angle, aspect)
-        }
+        None => framing::frame(&framed, DVec3::Z, view_angle, aspect),
     };
     if kind == Kind::Parallel {
+        let fits = || framing::parallel_scale(&framed, aspect);
         camera.projection = Projection::Parallel {
-            parallel_scale: parallel_scale
-                .unwrap_or_else(|| framing::parallel_scale(bounds, aspect)),
+            parallel_scale: parallel_scale.unwrap_or_else(fits),
         };
     }
     if let Some(view_up) = table.numbers("view_up", super::LENGTH, "[0, 1, 0]")? {

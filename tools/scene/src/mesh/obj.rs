@@ -20,7 +20,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
     let mut positions = Vec::new();
     let mut normals = Vec::new();
     for (line, words) in statements(&text) {
-        match words.first().map(String::as_str) {
+        match words.first().copied() {
             Some("v") => positions.push(numbers(line, "v", &words)?),
             Some("vn") => normals.push(numbers(line, "vn", &words)?),
             Some("mtllib") if soup.notes.is_empty() => {
@@ -35,7 +35,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
     let mut polygons = Polygons::default();
     let (mut positions_so_far, mut normals_so_far) = (0, 0);
     for (line, words) in statements(&text) {
-        match words.first().map(String::as_str) {
+        match words.first().copied() {
             Some("v") => positions_so_far += 1,
             Some("vn") => normals_so_far += 1,
             Some("f") => {
@@ -77,7 +77,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
 
 /// Statements with the line that each starts on: words without comments, a
 /// backslash at the end of a line joins the next one to it.
-fn statements(text: &str) -> impl Iterator<Item = (usize, Vec<String>)> + '_ {
+fn statements(text: &str) -> impl Iterator<Item = (usize, Vec<&str>)> {
     let mut lines = text.lines().enumerate();
     std::iter::from_fn(move || {
         let (number, mut line) = lines.next()?;
@@ -85,7 +85,7 @@ fn statements(text: &str) -> impl Iterator<Item = (usize, Vec<String>)> + '_ {
         loop {
             let code = line.split('#').next().unwrap_or_default().trim_end();
             let joined = code.strip_suffix('\\');
-            words.extend(joined.unwrap_or(code).split_whitespace().map(str::to_owned));
+            words.extend(joined.unwrap_or(code).split_whitespace());
             match joined.and_then(|_| lines.next()) {
                 Some((_, next)) => line = next,
                 None => return Some((number + 1, words)),
@@ -96,7 +96,7 @@ fn statements(text: &str) -> impl Iterator<Item = (usize, Vec<String>)> + '_ {
 
 /// The first three numbers of a statement; weights and colours after them
 /// are left out.
-fn numbers(line: usize, key: &str, words: &[String]) -> Result<[f64; 3], Refusal> {
+fn numbers(line: usize, key: &str, words: &[&str]) -> Result<[f64; 3], Refusal> {
     let wrong =
         |what: String| Refusal::at(line, format!("{key}: {what}; expected e.g. {key} 0 0.5 1"));
     let mut numbers = [0.0; 3];
