@@ -14,12 +14,14 @@ pub const SCENE_CAPACITY: usize = 0x0020_0000;
 /// The first CMSDK APB timer of the mps2 boards: 32 bits, counts down at 25 MHz
 /// (Arm DDI 0479, chapter 4).
 const TIMER: usize = 0x4000_0000;
-const TIMER_CTRL: *mut u32 = ptr::with_exposed_provenance_mut(TIMER);
-const TIMER_VALUE: *mut u32 = ptr::with_exposed_provenance_mut(TIMER + 4);
-const TIMER_RELOAD: *mut u32 = ptr::with_exposed_provenance_mut(TIMER + 8);
+const TIMER_CTRL: *mut u32 = TIMER as *mut u32;
+const TIMER_VALUE: *mut u32 = (TIMER + 4) as *mut u32;
+const TIMER_RELOAD: *mut u32 = (TIMER + 8) as *mut u32;
 
 /// Configuration and Control Register of the system control block.
-const SCB_CCR: *mut u32 = ptr::with_exposed_provenance_mut(0xE000_ED14);
+#[cfg(thumbv6m)]
+const SCB_CCR: *mut u32 = 0xE000_ED14 as *mut u32;
+#[cfg(thumbv6m)]
 const CCR_UNALIGN_TRP: u32 = 1 << 3;
 
 /// `-icount shift=7`: an instruction takes 128 ns of virtual time, which is
@@ -34,8 +36,8 @@ const NS_PER_TICK: u64 = 40;
 pub struct InstructionCounter(());
 
 impl InstructionCounter {
-    /// Starts the timer. Also makes unaligned access a fault, as it is on the
-    /// Cortex-M0+, because the emulated core is a larger one.
+    /// Starts the timer. In thumbv6m code, also makes unaligned access a fault,
+    /// as it is on the Cortex-M0+, because the emulated core is a larger one.
     pub fn start() -> Self {
         // SAFETY: registers of the mps2 boards and of every Cortex-M, aligned
         // and mapped; nothing else uses them.
@@ -43,6 +45,7 @@ impl InstructionCounter {
             ptr::write_volatile(TIMER_RELOAD, u32::MAX);
             ptr::write_volatile(TIMER_VALUE, u32::MAX);
             ptr::write_volatile(TIMER_CTRL, 1);
+            #[cfg(thumbv6m)]
             ptr::write_volatile(SCB_CCR, ptr::read_volatile(SCB_CCR) | CCR_UNALIGN_TRP);
         }
         Self(())

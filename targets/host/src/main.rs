@@ -26,8 +26,8 @@ impl Platform for Host {
     fn between(&self, start: u64, end: u64) -> u64 {
         end - start
     }
-    fn print(&mut self, text: &str) {
-        print!("{text}");
+    fn print(&mut self, text: &[u8]) {
+        let _ = std::io::stdout().write_all(text);
     }
     fn show(&mut self, panel: &[u8]) {
         if let (Some(file), Ok(())) = (&mut self.picture, &self.written) {
@@ -77,5 +77,6 @@ fn run() -> Result<(), String> {
     };
     let mut memory = Box::new(Memory::<PIXELS, { PIXELS * 2 }>::new());
     measure(&mut host, blob, job, &mut memory).map_err(|error| error.message().to_owned())?;
-    host.written.map_err(|error| format!("the picture: {error}"))
+    host.written
+        .map_err(|error| format!("the picture: {error}"))
 }

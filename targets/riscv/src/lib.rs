@@ -5,7 +5,7 @@
 use core::panic::PanicInfo;
 
 use fixel_runner::firmware::Counter;
-use riscv::register::{minstret, mepc};
+use riscv::register::{mepc, minstret};
 
 /// Where the emulator's loader puts a scene.
 pub const SCENE_ADDRESS: usize = 0x8080_0000;

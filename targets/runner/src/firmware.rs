@@ -44,7 +44,7 @@ impl<C: Counter> Platform for Emulated<C> {
     fn between(&self, start: u64, end: u64) -> u64 {
         self.counter.between(start, end)
     }
-    fn print(&mut self, text: &str) {
+    fn print(&mut self, text: &[u8]) {
         print(text);
     }
     fn show(&mut self, panel: &[u8]) {
@@ -57,9 +57,9 @@ impl<C: Counter> Platform for Emulated<C> {
 }
 
 /// Prints to the emulator's standard output.
-pub fn print(text: &str) {
+pub fn print(text: &[u8]) {
     if let Ok(mut out) = semihosting::io::stdout() {
-        let _ = out.write_all(text.as_bytes());
+        let _ = out.write_all(text);
     }
 }
 
@@ -86,7 +86,7 @@ pub fn paint_stack() -> Stack {
 /// Prints the stack's high-water mark, in bytes, as a line with `stack`.
 pub fn print_stack(stack: &Stack) {
     match stack.used_bytes() {
-        Some(used) => Line::new().number("stack", used as u64).end(print),
+        Some(used) => Line::new().small("stack", used as u32).end(print),
         None => fail("the stack is deeper than its paint"),
     }
 }
@@ -175,9 +175,17 @@ fn create(path: &str) -> Option<semihosting::fs::File> {
 pub fn fault(address: usize) -> ! {
     Line::new()
         .text("error", "fault")
-        .hex("at", address as u64)
+        .small("at", address as u32)
         .end(print);
     exit(false)
+}
+
+/// Floats, and panics on an empty scene: what the check of the linked firmware
+/// must find in a demo that calls it.
+#[inline(never)]
+pub fn misbehave(blob: &[u8]) {
+    let last = blob[core::hint::black_box(blob.len()) - 1];
+    core::hint::black_box(f32::from(last) * core::hint::black_box(0.1));
 }
 
 /// The demo firmware's main function: draws one frame into a panel that

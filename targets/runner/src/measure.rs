@@ -16,7 +16,7 @@ pub trait Platform {
     /// nanoseconds on a target that cannot count instructions.
     fn between(&self, start: u64, end: u64) -> u64;
     /// Prints a text to whoever started the program.
-    fn print(&mut self, text: &str);
+    fn print(&mut self, text: &[u8]);
     /// Takes a finished band's RGB565 bytes, if the target has a use for them.
     fn show(&mut self, panel: &[u8]) {
         let _ = panel;
@@ -163,9 +163,9 @@ pub fn measure<P: Platform, const PIXELS: usize, const BYTES: usize>(
         )?;
         watch.stop(platform);
         Line::new()
-            .number("frame", u64::from(frame))
-            .number("width", scene.width as u64)
-            .number("height", scene.height as u64)
+            .small("frame", frame)
+            .small("width", scene.width as u32)
+            .small("height", scene.height as u32)
             .number("covered", digest.covered)
             .number("count", watch.total)
             .hex("index", digest.index.value())
@@ -180,13 +180,13 @@ pub fn measure<P: Platform, const PIXELS: usize, const BYTES: usize>(
 mod tests {
     extern crate std;
     use super::*;
-    use std::string::String;
+    use std::vec::Vec;
 
     /// Every reading is one tick later, and a tick is one instruction.
     #[derive(Default)]
     struct Fake {
         now: u64,
-        out: String,
+        out: Vec<u8>,
     }
 
     impl Platform for Fake {
@@ -197,8 +197,8 @@ mod tests {
         fn between(&self, start: u64, end: u64) -> u64 {
             end - start
         }
-        fn print(&mut self, text: &str) {
-            self.out.push_str(text);
+        fn print(&mut self, text: &[u8]) {
+            self.out.extend_from_slice(text);
         }
     }
 

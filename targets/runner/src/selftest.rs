@@ -42,7 +42,7 @@ pub fn run<P: Platform>(platform: &mut P) {
             let count = spent(platform, kind, length);
             Line::new()
                 .text("loop", kind.name)
-                .number("length", u64::from(length))
+                .small("length", length)
                 .number("expected", u64::from(length - 1) * kind.per_iteration)
                 .number("count", count.wrapping_sub(first))
                 .end(|text| platform.print(text));

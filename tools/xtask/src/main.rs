@@ -1,2 +1,177 @@
-//! The developer commands.
-fn main() {}
+//! The developer's commands: `cargo xtask test` is what continuous integration
+//! runs, the others give the figures that the README and the tests stand on.
+//!
+//! Messages go to standard error. Figures go to standard output, as a table or
+//! with `--json -` as one JSON object and nothing else.
+
+mod accuracy;
+mod bench;
+mod bless;
+mod board;
+mod child;
+mod debian;
+mod elf;
+mod firmware;
+mod footprint;
+mod measure;
+mod parallel;
+mod parity;
+mod paths;
+mod peers;
+mod picture;
+mod problem;
+mod qemu;
+mod report;
+mod scene;
+mod test;
+mod toolchain;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+use serde_json::Value;
+
+use board::Board;
+use problem::Result;
+use report::Tally;
+
+/// The developer's commands of fixel.
+#[derive(Debug, Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask")]
+struct Cli {
+    #[command(subcommand)]
+    command: Task,
+}
+
+#[derive(Debug, Subcommand)]
+enum Task {
+    /// Everything that continuous integration runs: format, lints, tests,
+    /// docs, firmware in emulators. The last line counts the checks.
+    Test {
+        /// Only this stage; may be given more than once
+        #[arg(long, value_name = "NAME", value_parser = test::names())]
+        stage: Vec<String>,
+    },
+    /// Compare every scene in scenes/ with the f64 reference.
+    Accuracy(Json),
+    /// Render the parity scenes on the host and on every emulated target, and
+    /// fail if any byte differs.
+    Parity(Json),
+    /// Instructions a frame of the bench scenes on every target.
+    Bench {
+        #[command(flatten)]
+        json: Json,
+        /// Print the README's table, with other renderers' figures beside ours
+        #[arg(long, conflicts_with = "json")]
+        markdown: bool,
+    },
+    /// Code, RAM and stack of a minimal firmware on every board, held to
+    /// limits.
+    Footprint(Json),
+    /// Build the demo firmware of a board with a scene linked in; prints the
+    /// ELF file's path.
+    #[command(after_help = board::list())]
+    Firmware(OnBoard),
+    /// Render one frame on a board in its emulator, and write what its panel
+    /// would show.
+    #[command(after_help = board::list())]
+    Run {
+        #[command(flatten)]
+        on: OnBoard,
+        /// Which frame
+        #[arg(long, default_value_t = 0)]
+        frame: u32,
+        /// Rows in a band
+        #[arg(long, value_name = "ROWS", default_value_t = 16)]
+        bands: u32,
+        /// The picture
+        #[arg(short, long, value_name = "FILE.png", default_value = "frame.png")]
+        output: PathBuf,
+    },
+    /// Write the demo firmware to a real board.
+    #[command(after_help = board::list())]
+    Flash(OnBoard),
+    /// Build the browser simulator into one folder.
+    Web,
+    /// Rewrite golden frames, after a person has looked at them.
+    Bless,
+}
+
+#[derive(Debug, Args)]
+struct Json {
+    /// Write the figures as JSON to a file, or to standard output for `-`
+    #[arg(long, value_name = "FILE|-")]
+    json: Option<String>,
+}
+
+#[derive(Debug, Args)]
+struct OnBoard {
+    /// The board's name
+    #[arg(value_name = "BOARD", value_parser = board::find)]
+    board: &'static Board,
+    /// A scene's name (as in scenes/) or file
+    #[arg(long, default_value = "teapot")]
+    scene: String,
+}
+
+fn main() -> ExitCode {
+    match run(Cli::parse().command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(problem) => {
+            eprintln!("error: {problem}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(task: Task) -> Result<()> {
+    match task {
+        Task::Test { stage } => test::run(&stage),
+        Task::Accuracy(json) => figures(&json, accuracy::run, pretty),
+        Task::Parity(json) => figures(&json, parity::run, pretty),
+        Task::Bench { json, markdown } => {
+            let show = if markdown { bench::markdown } else { pretty };
+            figures(&json, bench::run, show)
+        }
+        Task::Footprint(json) => figures(&json, footprint::run, footprint::markdown),
+        Task::Firmware(on) => {
+            let elf = picture::build(on.board, &on.scene)?;
+            println!("{}", elf.display());
+            Ok(())
+        }
+        Task::Run {
+            on,
+            frame,
+            bands,
+            output,
+        } => picture::run(on.board, &on.scene, frame, bands, &output),
+        Task::Flash(on) => Err(format!(
+            "{} is an emulated board; there is no firmware for real boards yet",
+            on.board.name
+        )
+        .into()),
+        Task::Web => Err("there is no browser simulator yet".into()),
+        Task::Bless => bless::run(),
+    }
+}
+
+/// Makes figures, counts the checks on the way, and writes both.
+fn figures(
+    json: &Json,
+    make: fn(&mut Tally) -> Result<Value>,
+    show: fn(&Value) -> String,
+) -> Result<()> {
+    let mut tally = Tally::default();
+    let value = make(&mut tally)?;
+    match &json.json {
+        Some(to) => report::write_json(to, &value)?,
+        None => println!("{}", show(&value)),
+    }
+    eprintln!("{}", tally.summary());
+    tally.result()
+}
+
+fn pretty(value: &Value) -> String {
+    serde_json::to_string_pretty(value).unwrap_or_default()
+}

@@ -20,7 +20,13 @@ static mut MEMORY: demo::Memory = demo::Memory::new();
 
 #[riscv_rt::entry]
 fn main() -> ! {
+    let memory = &raw mut MEMORY;
     // SAFETY: the only use of MEMORY, and `main` runs once.
-    let memory = unsafe { &mut *(&raw mut MEMORY) };
-    firmware::demo(&FIXEL_SCENE.0, memory)
+    let memory = unsafe { &mut *memory };
+    // Hidden from the optimiser, which would otherwise build a firmware that
+    // can draw this one scene only.
+    let scene = core::hint::black_box(&FIXEL_SCENE.0);
+    #[cfg(feature = "faulty")]
+    firmware::misbehave(scene);
+    firmware::demo(scene, memory)
 }

@@ -13,8 +13,9 @@ static mut MEMORY: Memory<PIXELS, { PIXELS * 2 }> = Memory::new();
 
 #[riscv_rt::entry]
 fn main() -> ! {
+    let memory = &raw mut MEMORY;
     // SAFETY: the only use of MEMORY, and `main` runs once.
-    let memory = unsafe { &mut *(&raw mut MEMORY) };
+    let memory = unsafe { &mut *memory };
     // SAFETY: the emulator has filled this part of the memory, which no
     // section of the program lies in, before the program started.
     unsafe {

@@ -1,0 +1,132 @@
+//! Builds the crates in `targets/`.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::board::Board;
+use crate::problem::{Problem, Result};
+use crate::toolchain::{self, Route};
+use crate::{child, elf, paths, scene};
+
+/// How the host's measuring program is built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum HostProfile {
+    /// As firmware is.
+    Release,
+    /// The same, and arithmetic that overflows stops it.
+    Checked,
+}
+
+/// Builds the measuring firmware of a board; it reads its scene from memory.
+pub fn measuring(board: &Board) -> Result<PathBuf> {
+    let route = toolchain::provide(board.target)?;
+    let mut command = cargo_build(route, board);
+    command.args(["--bin", "measure"]);
+    child::visibly(&mut command)?;
+    Ok(built(board, "measure"))
+}
+
+/// A demo firmware with its scene linked in.
+#[derive(Clone, Debug)]
+pub struct Demo {
+    /// The ELF file.
+    pub path: PathBuf,
+    /// What it holds.
+    pub image: elf::Image,
+}
+
+/// Builds the demo firmware of a board with a scene linked in.
+pub fn demo(board: &Board, scene: &scene::Baked) -> Result<Demo> {
+    build_demo(board, scene, "demo")
+}
+
+/// Builds a demo that breaks the promises which are checked on every demo.
+pub fn faulty_demo(board: &Board, scene: &scene::Baked) -> Result<Demo> {
+    build_demo(board, scene, "faulty")
+}
+
+fn build_demo(board: &Board, scene: &scene::Baked, features: &str) -> Result<Demo> {
+    let route = toolchain::provide(board.target)?;
+    let mut command = cargo_build(route, board);
+    command
+        .args(["--bin", "demo", "--features", features])
+        .env("FIXEL_SCENE", &scene.path);
+    child::visibly(&mut command)?;
+    let stem = scene.path.file_stem().unwrap_or_default().to_string_lossy();
+    let name = format!("{}-{stem}-{features}.elf", board.name);
+    let path = paths::work("firmware")?.join(name);
+    std::fs::copy(built(board, "demo"), &path)
+        .map_err(|error| format!("{}: {error}", path.display()))?;
+    let image = elf::Image::read(&path)?;
+    Ok(Demo { path, image })
+}
+
+/// Builds the host's measuring program.
+pub fn host(profile: HostProfile) -> Result<PathBuf> {
+    let folder = match profile {
+        HostProfile::Release => "release",
+        HostProfile::Checked => "checked",
+    };
+    let target_folder = paths::target_crate("host").join("target");
+    let mut command = Command::new("cargo");
+    child::without_outer_cargo(&mut command);
+    command
+        .args(["build", "--quiet", "--profile", folder])
+        .arg("--manifest-path")
+        .arg(manifest("host"))
+        .arg("--target-dir")
+        .arg(&target_folder)
+        .current_dir(paths::root());
+    child::visibly(&mut command)?;
+    let name = format!("measure{}", std::env::consts::EXE_SUFFIX);
+    Ok(target_folder.join(folder).join(name))
+}
+
+/// Clippy over a board's crate. Debian's compiler comes without clippy.
+pub fn clippy(board: &Board, scene: &scene::Baked) -> Result<()> {
+    toolchain::component("clippy", "clippy")?;
+    let route = toolchain::provide(board.target)?;
+    if route == Route::Debian {
+        return Err(Problem::Missing(format!(
+            "clippy for {0} needs the target in rustup: `rustup target add {0}`",
+            board.target
+        )));
+    }
+    let mut command = cargo(route, board, "clippy");
+    command
+        .args(["--features", "demo"])
+        .env("FIXEL_SCENE", &scene.path)
+        .args(["--", "-D", "warnings"]);
+    child::visibly(&mut command)
+}
+
+/// A crate's manifest in `targets/`.
+pub fn manifest(folder: &str) -> PathBuf {
+    paths::target_crate(folder).join("Cargo.toml")
+}
+
+fn cargo(route: Route, board: &Board, subcommand: &str) -> Command {
+    let mut command = route.cargo(board.target);
+    command
+        .args([subcommand, "--quiet", "--release"])
+        .args(["--target", board.target])
+        .arg("--manifest-path")
+        .arg(manifest(board.folder))
+        .arg("--target-dir")
+        .arg(target_folder(board))
+        .current_dir(paths::root());
+    command
+}
+
+fn cargo_build(route: Route, board: &Board) -> Command {
+    cargo(route, board, "build")
+}
+
+fn target_folder(board: &Board) -> PathBuf {
+    paths::target_crate(board.folder).join("target")
+}
+
+fn built(board: &Board, binary: &str) -> PathBuf {
+    let folder = target_folder(board).join(board.target);
+    folder.join("release").join(Path::new(binary))
+}

@@ -1,0 +1,102 @@
+//! `firmware` and `run`: one board, one scene, one picture.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::board::Board;
+use crate::measure::Target;
+use crate::problem::Result;
+use crate::{firmware, paths, scene};
+
+/// Builds the demo firmware with a scene linked in; gives the ELF file.
+pub fn build(board: &Board, scene_name: &str) -> Result<PathBuf> {
+    let baked = scene::bake(scene_name)?;
+    let demo = firmware::demo(board, &baked)?;
+    let image = &demo.image;
+    eprintln!(
+        "{}: {} bytes of code, {} of scene, {} of static RAM",
+        board.name,
+        image.code_bytes(),
+        image.scene_bytes,
+        image.static_ram_bytes
+    );
+    Ok(demo.path)
+}
+
+/// Renders one frame of a scene on a board in its emulator, and writes what a
+/// panel would show as PNG.
+pub fn run(
+    board: &'static Board,
+    scene_name: &str,
+    frame: u32,
+    band_rows: u32,
+    to: &Path,
+) -> Result<()> {
+    let ready = Target::Board(board).prepare()?;
+    let baked = scene::bake(scene_name)?;
+    let raw = paths::work("pictures")?.join(format!("{}.rgb565", board.name));
+    let lines = ready.frames(&baked, frame..frame + 1, band_rows, Some(&raw))?;
+    let line = lines.first().ok_or("no frame")?;
+    let panel = fs::read(&raw).map_err(|error| format!("{}: {error}", raw.display()))?;
+    write_png(to, line.width, line.height, &panel)?;
+    eprintln!(
+        "{}: frame {}, {} pixels covered, {} instructions, {}",
+        board.name,
+        line.frame,
+        line.covered,
+        line.count,
+        to.display()
+    );
+    Ok(())
+}
+
+fn write_png(to: &Path, width: u32, height: u32, panel: &[u8]) -> Result<()> {
+    let fail = |error: &dyn std::fmt::Display| format!("{}: {error}", to.display());
+    let rgb = rgb888(panel);
+    if rgb.len() as u64 != u64::from(width) * u64::from(height) * 3 {
+        return Err(fail(&"the panel's bytes are not one frame").into());
+    }
+    let file = fs::File::create(to).map_err(|error| fail(&error))?;
+    let mut encoder = png::Encoder::new(std::io::BufWriter::new(file), width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    let mut writer = encoder.write_header().map_err(|error| fail(&error))?;
+    writer
+        .write_image_data(&rgb)
+        .map_err(|error| fail(&error))?;
+    Ok(())
+}
+
+/// RGB565, high byte first, to 8 bits a channel, rounded to the nearest.
+fn rgb888(panel: &[u8]) -> Vec<u8> {
+    let channel = |value: u16, most: u16| {
+        ((u32::from(value) * 255 + u32::from(most) / 2) / u32::from(most)) as u8
+    };
+    panel
+        .chunks_exact(2)
+        .flat_map(|bytes| {
+            let pixel = u16::from_be_bytes([bytes[0], bytes[1]]);
+            [
+                channel(pixel >> 11, 31),
+                channel(pixel >> 5 & 63, 63),
+                channel(pixel & 31, 31),
+            ]
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn panel_bytes_to_colours() {
+        let panel = [0xFF, 0xFF, 0xF8, 0x00, 0x07, 0xE0, 0x00, 0x1F, 0x00, 0x00];
+        let expected = [
+            [255, 255, 255],
+            [255, 0, 0],
+            [0, 255, 0],
+            [0, 0, 255],
+            [0, 0, 0],
+        ];
+        assert_eq!(super::rgb888(&panel), expected.concat());
+    }
+}

@@ -1,0 +1,106 @@
+//! The scenes that the commands render, baked.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::paths;
+use crate::problem::Result;
+
+/// The bench scenes, in the order of the README's table. They are in
+/// `scenes/bench/`.
+pub const BENCH: [&str; 6] = [
+    "w1_teapot_flat",
+    "w2_teapot_gouraud",
+    "w3_bunny_gouraud",
+    "w4_cube_textured",
+    "w5_fill",
+    "w6_bunny_64x64",
+];
+
+/// What every target must draw alike, besides the bench scenes: files in
+/// `scenes/`.
+pub const PARITY: [&str; 2] = ["teapot", "bunny"];
+
+/// Scenes whose files are still to be written: skipped, visibly, as long as
+/// they are not there. Any other scene that is missing is a failure.
+pub const PENDING: [&str; 1] = ["w4_cube_textured"];
+
+/// The scene whose RAM is held to a limit, and one of another mesh that must
+/// need just as much.
+pub const FOOTPRINT: [&str; 2] = ["w2_teapot_gouraud", "w3_bunny_gouraud"];
+
+/// Every scene that parity is proved on.
+pub fn parity() -> impl Iterator<Item = &'static str> {
+    PARITY.into_iter().chain(BENCH)
+}
+
+/// The scene's file: a name from the lists above, or a path.
+pub fn file(name: &str) -> PathBuf {
+    if Path::new(name).extension().is_some() {
+        return name.into();
+    }
+    let folder = if BENCH.contains(&name) {
+        "scenes/bench"
+    } else {
+        "scenes"
+    };
+    paths::root().join(folder).join(format!("{name}.toml"))
+}
+
+/// Whether the scene is still to be written.
+pub fn is_pending(name: &str) -> bool {
+    PENDING.contains(&name) && !file(name).exists()
+}
+
+/// A baked scene.
+#[derive(Clone, Debug)]
+pub struct Baked {
+    /// The `.fxl` file.
+    pub path: PathBuf,
+    /// Its size.
+    pub bytes: u64,
+}
+
+/// Bakes a scene into the work folder.
+pub fn bake(name: &str) -> Result<Baked> {
+    let source = file(name);
+    let stem = source.file_stem().unwrap_or_default().to_string_lossy();
+    let path = paths::work("scenes")?.join(format!("{stem}.fxl"));
+    let blob = blob(&source)?;
+    let same = fs::read(&path).is_ok_and(|old| old == blob);
+    if !same {
+        fs::write(&path, &blob).map_err(|error| format!("{}: {error}", path.display()))?;
+    }
+    Ok(Baked {
+        path,
+        bytes: blob.len() as u64,
+    })
+}
+
+/// A placeholder for the baker: a blob that `fixel_runner`'s placeholder for
+/// the renderer draws a pattern from.
+fn blob(source: &Path) -> Result<Vec<u8>> {
+    let name = source.to_string_lossy();
+    let (width, height): (u16, u16) = if name.contains("64x64") {
+        (64, 64)
+    } else {
+        (320, 240)
+    };
+    let mut blob = b"FXPL".to_vec();
+    blob.extend(width.to_le_bytes());
+    blob.extend(height.to_le_bytes());
+    blob.extend(name.as_bytes());
+    Ok(blob)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn where_scenes_are() {
+        assert!(file("teapot").ends_with("scenes/teapot.toml"));
+        assert!(file("w5_fill").ends_with("scenes/bench/w5_fill.toml"));
+        assert_eq!(file("other/x.obj"), Path::new("other/x.obj"));
+    }
+}

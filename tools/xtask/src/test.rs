@@ -1,0 +1,276 @@
+//! Everything that continuous integration runs, stage by stage.
+
+use std::process::Command;
+use std::time::Instant;
+
+use crate::board::BOARDS;
+use crate::measure::Target;
+use crate::problem::Result;
+use crate::report::Tally;
+use crate::{accuracy, child, firmware, footprint, parity, paths, scene, toolchain};
+
+/// A stage: its name, and what it does.
+type Stage = (&'static str, fn(&mut Tally));
+
+/// In this order: what is quick and fails often comes first.
+const STAGES: [Stage; 9] = [
+    ("format", format),
+    ("lints", lints),
+    ("tests", tests),
+    ("docs", docs),
+    ("firmware-lints", firmware_lints),
+    ("counter", counter),
+    ("parity", |tally| {
+        let result = parity::run(tally);
+        tally.need("parity", result);
+    }),
+    ("footprint", footprint_stage),
+    ("accuracy", |tally| {
+        let result = accuracy::run(tally);
+        tally.need("accuracy", result);
+    }),
+];
+
+/// Crates in `targets/` that the host builds and tests.
+const HOST_CRATES: [&str; 2] = ["runner", "host"];
+/// All crates in `targets/`.
+const TARGET_CRATES: [&str; 4] = ["runner", "host", "cortex-m", "riscv"];
+
+/// The stages' names.
+pub fn names() -> Vec<&'static str> {
+    STAGES.iter().map(|(name, _)| *name).collect()
+}
+
+/// Runs the stages named, all if none is. Prints `N passed, N failed,
+/// N skipped` as the last line on standard output.
+pub fn run(only: &[String]) -> Result<()> {
+    let mut all = Tally::default();
+    let mut times = Vec::new();
+    for (name, stage) in STAGES {
+        if !only.is_empty() && !only.iter().any(|wanted| wanted == name) {
+            continue;
+        }
+        eprintln!("\n=== {name}");
+        let start = Instant::now();
+        let mut tally = Tally::default();
+        stage(&mut tally);
+        let seconds = start.elapsed().as_secs_f64();
+        eprintln!("=== {name}: {} ({seconds:.1} s)", tally.summary());
+        times.push((name, tally.summary(), seconds));
+        all.add(tally);
+    }
+    eprintln!("\nSummary");
+    for (name, summary, seconds) in times {
+        eprintln!("  {name:<15} {seconds:>7.1} s  {summary}");
+    }
+    for name in &all.skipped {
+        eprintln!("  skipped: {name}");
+    }
+    for name in &all.failed {
+        eprintln!("  FAILED:  {name}");
+    }
+    println!("{}", all.summary());
+    all.result()
+}
+
+/// Cargo on the host, at the repository's root.
+fn cargo(arguments: &[&str]) -> Command {
+    let mut command = Command::new("cargo");
+    child::without_outer_package(&mut command);
+    command.args(arguments).current_dir(paths::root());
+    command
+}
+
+/// The same for a crate in `targets/`, which shares nothing with the
+/// workspace.
+fn cargo_in(folder: &str, arguments: &[&str]) -> Command {
+    let mut command = cargo(arguments);
+    command
+        .arg("--manifest-path")
+        .arg(firmware::manifest(folder));
+    command.env(
+        "CARGO_TARGET_DIR",
+        paths::target_crate(folder).join("target"),
+    );
+    command
+}
+
+fn format(tally: &mut Tally) {
+    let rustfmt = toolchain::component("fmt", "rustfmt");
+    if tally.need("format", rustfmt).is_none() {
+        return;
+    }
+    let result = child::visibly(&mut cargo(&["fmt", "--all", "--check"]));
+    tally.check("format of the workspace", result);
+    for folder in TARGET_CRATES {
+        let mut command = cargo(&["fmt", "--check", "--manifest-path"]);
+        command.arg(firmware::manifest(folder));
+        tally.check(
+            &format!("format of targets/{folder}"),
+            child::visibly(&mut command),
+        );
+    }
+}
+
+fn lints(tally: &mut Tally) {
+    let clippy = toolchain::component("clippy", "clippy");
+    if tally.need("lints", clippy).is_none() {
+        return;
+    }
+    let arguments = [
+        "clippy",
+        "--workspace",
+        "--all-targets",
+        "--",
+        "-D",
+        "warnings",
+    ];
+    let result = child::visibly(&mut cargo(&arguments));
+    tally.check("lints of the workspace", result);
+    for folder in HOST_CRATES {
+        let mut command = cargo_in(folder, &["clippy", "--quiet", "--all-targets"]);
+        command.args(["--", "-D", "warnings"]);
+        tally.check(
+            &format!("lints of targets/{folder}"),
+            child::visibly(&mut command),
+        );
+    }
+}
+
+fn tests(tally: &mut Tally) {
+    let mut command = cargo(&["test", "--workspace", "--no-fail-fast"]);
+    cargo_tests(tally, "the workspace", &mut command);
+    let mut command = cargo_in("runner", &["test", "--quiet", "--no-fail-fast"]);
+    cargo_tests(tally, "targets/runner", &mut command);
+}
+
+/// Runs `cargo test` and counts each of its tests.
+fn cargo_tests(tally: &mut Tally, what: &str, command: &mut Command) {
+    let mut counts = Counts::default();
+    let mut failed = Vec::new();
+    let result = child::tee(command, |line| {
+        counts.take(line);
+        if let Some(name) = failed_test(line) {
+            failed.push(name.to_owned());
+        }
+    });
+    tally.passed += counts.passed;
+    for name in &failed {
+        tally.failed.push(format!("test {name} of {what}"));
+    }
+    let unnamed = counts.failed.saturating_sub(failed.len());
+    for _ in 0..unnamed {
+        tally.failed.push(format!("a test of {what}"));
+    }
+    for _ in 0..counts.ignored {
+        tally.skip(&format!("a test of {what}"), "marked as ignored");
+    }
+    let whole = result.and_then(|success| {
+        if !success && counts.failed == 0 {
+            return Err("it does not build, or stopped midway".into());
+        }
+        Ok(())
+    });
+    tally.need(&format!("tests of {what}"), whole);
+}
+
+/// Sums over `test result:` lines.
+#[derive(Debug, Default, PartialEq, Eq)]
+struct Counts {
+    passed: usize,
+    failed: usize,
+    ignored: usize,
+}
+
+impl Counts {
+    /// `test result: ok. 6 passed; 0 failed; 1 ignored; 0 measured; ...`
+    fn take(&mut self, line: &str) {
+        let Some((_, rest)) = line
+            .strip_prefix("test result: ")
+            .and_then(|rest| rest.split_once(". "))
+        else {
+            return;
+        };
+        for part in rest.split("; ") {
+            let Some((number, what)) = part.split_once(' ') else {
+                continue;
+            };
+            let number = number.parse().unwrap_or(0);
+            match what {
+                "passed" => self.passed += number,
+                "failed" => self.failed += number,
+                "ignored" => self.ignored += number,
+                _ => {}
+            }
+        }
+    }
+}
+
+/// The name in `test some::name ... FAILED`.
+fn failed_test(line: &str) -> Option<&str> {
+    line.strip_prefix("test ")?.strip_suffix(" ... FAILED")
+}
+
+fn docs(tally: &mut Tally) {
+    let mut command = cargo(&["doc", "--workspace", "--no-deps"]);
+    command.env("RUSTDOCFLAGS", "-D warnings");
+    tally.check("docs of the workspace", child::visibly(&mut command));
+    let mut command = cargo_in("runner", &["doc", "--quiet", "--no-deps"]);
+    command.env("RUSTDOCFLAGS", "-D warnings");
+    tally.check("docs of targets/runner", child::visibly(&mut command));
+}
+
+fn firmware_lints(tally: &mut Tally) {
+    let scene = scene::bake(scene::FOOTPRINT[0]);
+    let Some(scene) = tally.need("firmware lints", scene) else {
+        return;
+    };
+    for board in &BOARDS {
+        let name = format!("lints of targets/{} for {}", board.folder, board.target);
+        tally.check(&name, firmware::clippy(board, &scene));
+    }
+}
+
+/// Instruction counts are only worth something when they are exact.
+fn counter(tally: &mut Tally) {
+    for board in &BOARDS {
+        let name = format!("instruction counter of {}", board.name);
+        let target = Target::Board(board);
+        let loops = target.prepare().and_then(|ready| ready.counter_self_test());
+        if let Some(loops) = tally.check(&name, loops) {
+            eprintln!("      {loops} loops of known length, each exact");
+        }
+    }
+}
+
+fn footprint_stage(tally: &mut Tally) {
+    let result = footprint::checks_can_fail();
+    tally.check("a faulty firmware is found out", result);
+    let result = footprint::run(tally);
+    tally.need("footprint", result);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn result_lines_are_summed() {
+        let mut counts = Counts::default();
+        counts.take("test result: ok. 6 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out; finished in 0.00s");
+        counts.take("test result: FAILED. 1 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.00s");
+        counts.take("running 6 tests");
+        let expected = Counts {
+            passed: 7,
+            failed: 2,
+            ignored: 1,
+        };
+        assert_eq!(counts, expected);
+    }
+
+    #[test]
+    fn failures_have_names() {
+        assert_eq!(failed_test("test a::b ... FAILED"), Some("a::b"));
+        assert_eq!(failed_test("test a::b ... ok"), None);
+    }
+}
