@@ -1,0 +1,81 @@
+//! Exit codes and messages.
+
+mod common;
+
+use common::*;
+
+#[test]
+fn wrong_usage_is_exit_code_2() {
+    let folder = Folder::new();
+    for words in [
+        "",
+        "draw scene.toml",
+        "render",
+        "render scene.toml --size 0x4",
+        "render scene.toml --size 8",
+        "render scene.toml --frame -1",
+        "render scene.toml --bands 0",
+        "render scene.toml --renderer magic",
+        "render scene.toml -o a.png --depth-out a.png",
+        "compare scene.toml --renderer reference",
+        "bake scene.toml",
+        "bake scene.toml -o a.fxl --colours 257",
+        "bake scene.toml -o a.fxl --colours 1",
+        "info",
+        "animate scene.toml",
+        "estimate scene.toml",
+    ] {
+        let run = folder.fixel(words);
+        assert_eq!(run.code(), 2, "{words}: {}", run.stderr());
+        assert_eq!(run.stdout(), "", "{words}");
+    }
+}
+
+#[test]
+fn a_bad_scene_is_one_line_that_names_it() {
+    let folder = Folder::new();
+    folder.write("broken.toml", "[display]\nwidth = \"wide\"\n");
+    folder.write("broken.obj", "v 1 2\n");
+    for (words, wanted) in [
+        ("render missing.toml", "missing.toml"),
+        ("render broken.toml --renderer reference", "broken.toml:2"),
+        ("compare broken.toml --json -", "broken.toml:2"),
+        ("render broken.obj", "broken.obj:1"),
+        ("info missing.fxl", "missing.fxl"),
+    ] {
+        let line = folder.fixel(words).fails();
+        assert!(
+            line.starts_with("fixel: ") && line.contains(wanted),
+            "{words}: {line}"
+        );
+    }
+    assert_eq!(
+        folder.names(),
+        ["broken.obj", "broken.toml", "scene.toml", "square.obj"]
+    );
+}
+
+#[test]
+fn what_is_not_there_yet_says_so() {
+    let folder = Folder::new();
+    for words in [
+        "animate scene.toml -o a.gif",
+        "view scene.toml",
+        "estimate scene.toml --board pico",
+        "render scene.toml --renderer ray",
+        "render scene.toml --display st7789-240x240",
+        "compare scene.toml --renderer ray",
+        "compare scene.toml --report folder",
+    ] {
+        let line = folder.fixel(words).fails();
+        assert!(line.contains("is not there yet"), "{words}: {line}");
+    }
+    assert_eq!(folder.names(), ["scene.toml", "square.obj"]);
+    let help = folder.fixel("--help").ok();
+    let marked: Vec<&str> = help
+        .lines()
+        .filter(|line| line.contains("(not there yet)"))
+        .filter_map(|line| line.split_whitespace().next())
+        .collect();
+    assert_eq!(marked, ["animate", "view", "estimate"]);
+}
