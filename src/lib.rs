@@ -17,6 +17,15 @@
 //! [`render::render_frame`] is that list as code.
 
 #![no_std]
+#![cfg_attr(
+    test,
+    allow(
+        clippy::unwrap_used,
+        clippy::indexing_slicing,
+        clippy::float_arithmetic,
+        clippy::panic
+    )
+)]
 
 pub mod clip;
 pub mod cull;

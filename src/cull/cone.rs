@@ -21,7 +21,7 @@ pub(super) fn faces_away(view: &ActorView, meshlet: &Meshlet, front: bool) -> bo
             let largest = ex.abs().max(ey.abs()).max(ez.abs());
             (
                 [bx - ex, by - ey, bz - ez],
-                i64::from(meshlet.radius) + (largest >> 13),
+                i64::from(meshlet.radius_steps()) + (largest >> 13),
             )
         }
         EyeInGrid::Direction(direction) => (direction.map(i64::from), 0),

@@ -41,7 +41,7 @@ pub fn judge(view: &ActorView, meshlet: &Meshlet, height: u16) -> Verdict {
         return Verdict::FacesAway;
     }
     let base = MeshletRows::new(view, meshlet).base();
-    match sphere::extent(view, base, meshlet.radius, height) {
+    match sphere::extent(view, base, meshlet.radius_steps(), height) {
         Some(visible) => Verdict::Visible(visible),
         None => Verdict::OutsideView,
     }

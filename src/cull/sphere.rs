@@ -9,7 +9,7 @@ use crate::view::{ActorView, ROW_FRACTION};
 pub(super) fn extent(
     view: &ActorView,
     base: [i32; 3],
-    radius: u16,
+    radius: i32,
     height: u16,
 ) -> Option<Visible> {
     let [x, y, distance] = base.map(i64::from);

@@ -87,13 +87,14 @@ impl Angle {
         #[expect(clippy::indexing_slicing, reason = "step is 0..=64 of 65 entries")]
         let (sin_a, cos_a) = (i64::from(SINES[step]), i64::from(SINES[STEPS - step]));
 
-        // rest is in 2^-32 turns, at most 2^-9 turns: radians in Q40.
-        let d = (rest * 26_986_075_409) >> 24; // 2 pi / 2^32 in Q64, times rest, in Q40
-        let square = (d * d) >> 40;
-        let cos_d = (1i64 << 40) - (square >> 1) + ((square * square) >> 40) / 24;
-        let sin_d = d - ((d * square) >> 40) / 6;
+        // rest is in 2^-32 turns, at most 2^-9 turns: radians in Q36, from 2 pi /
+        // 2^32 in Q64.
+        let d = (rest * 26_986_075_409) >> 28;
+        let square = (d * d) >> 36;
+        let cos_d = (1i64 << 36) - (square >> 1) + ((square * square) >> 36) / 24;
+        let sin_d = d - ((d * square) >> 36) / 6;
         // Q30 times Q30: 60 bits and a sign.
-        let (cos_d, sin_d) = ((cos_d + 512) >> 10, (sin_d + 512) >> 10);
+        let (cos_d, sin_d) = ((cos_d + 32) >> 6, (sin_d + 32) >> 6);
         let round = 1i64 << 29;
         let sin = ((sin_a * cos_d + cos_a * sin_d + round) >> 30) as i32;
         let cos = ((cos_a * cos_d - sin_a * sin_d + round) >> 30) as i32;

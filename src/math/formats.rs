@@ -1,6 +1,6 @@
 //! Every quantity's format has one name, here.
 
-use fixed::types::extra::{U4, U6, U10};
+use fixed::types::extra::{U4, U6, U12};
 use fixed::{FixedI32, FixedU16, FixedU32};
 
 /// Lengths and places in world space, range -32768..32768, step 2^-16. The
@@ -8,15 +8,16 @@ use fixed::{FixedI32, FixedU16, FixedU32};
 /// see [`Scene::world_exponent`](crate::scene::Scene::world_exponent).
 pub type World = fixed::types::I16F16;
 
-/// Fractional bits of a screen position. Ten, not eight: with 8 the depth of a
-/// steep face is off by more than a unit (a vertex that snaps by 1/512 pixel
-/// on a face that falls 500 depth units a pixel), and with more than 10 the
-/// products of a triangle of up to 32 pixels no longer fit 32 bits.
-pub const SUBPX_BITS: u32 = 10;
+/// Fractional bits of a screen position. Coverage would be content with 8; depth
+/// is not: a vertex that snaps by 1/512 pixel on a face that falls 500 depth
+/// units a pixel is a unit off. Pixels within one unit of the exact depth, with
+/// 8, 10 and 12 bits: teapot 98.5, 99.93, 99.95 %; bunny at 128x64 97.6, 99.6,
+/// 99.95 %. Products of a triangle of up to 8 pixels still fit 32 bits.
+pub const SUBPX_BITS: u32 = 12;
 
 /// A place on the screen in pixels: pixel (0, 0) spans 0..1 and has its centre
-/// at 0.5; y points down. Step 1/1024 pixel.
-pub type SubPx = FixedI32<U10>;
+/// at 0.5; y points down. Step 1/4096 pixel.
+pub type SubPx = FixedI32<U12>;
 
 /// Half a pixel in raw [`SubPx`] units.
 pub const HALF_PX: i32 = 1 << (SUBPX_BITS - 1);

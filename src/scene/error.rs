@@ -60,6 +60,7 @@ pub enum Field {
     Scale,
     Radius,
     Base,
+    Shift,
     FirstMeshlet,
     FirstVertex,
     FirstTriangle,

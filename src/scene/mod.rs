@@ -38,6 +38,8 @@ pub mod layout {
     /// Half of a mesh's grid: vertices are within this many steps of its
     /// centre along each axis.
     pub const GRID_HALF: i32 = 1 << 21;
+    /// Largest shift of a meshlet's vertices: 16 bits and this span the grid.
+    pub const MOST_SHIFT: u8 = 7;
 }
 
 #[cfg(test)]

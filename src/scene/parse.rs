@@ -235,6 +235,16 @@ impl<'a> Scene<'a> {
         for c in meshlet.base {
             range(s, i, Field::Base, c.into(), -half, half)?;
         }
+        for shift in meshlet.shifts {
+            range(
+                s,
+                i,
+                Field::Shift,
+                shift.into(),
+                0,
+                layout::MOST_SHIFT.into(),
+            )?;
+        }
         let last = self.vertices.len() as i64 - vertices;
         range(
             s,

@@ -362,13 +362,25 @@ impl Record for Mesh {
     }
 }
 
+impl Meshlet {
+    /// Radius of its bounding sphere in grid steps.
+    pub fn radius_steps(&self) -> i32 {
+        let largest = self.shifts.iter().fold(0, |m, s| m.max(*s));
+        i32::from(self.radius) << largest.min(14)
+    }
+}
+
 /// A small cluster of triangles: the unit that is culled, transformed and lit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Meshlet {
     /// Centre of its box, grid steps from the grid's centre. Vertices are
-    /// 16-bit distances from here.
+    /// 16-bit distances from here, in units of `2^shifts` steps.
     pub base: [i32; 3],
-    /// A sphere about the base holds its vertices; grid steps.
+    /// For each axis, the power of two that its vertices are multiples of:
+    /// 0..=31. So the grid can be finer than 16 bits hold across the mesh.
+    pub shifts: [u8; 3],
+    /// A sphere about the base holds its vertices; in units of 2 to the largest
+    /// shift.
     pub radius: u16,
     /// Vertices, 1..=64.
     pub vertices: u8,
@@ -392,8 +404,10 @@ impl Record for Meshlet {
     fn from_words(&[b0, b1, b2, size, cone, first_vertex, first_triangle]: &Self::Words) -> Self {
         let [low, high, vertices, triangles] = size.to_ne_bytes();
         let [ax, ay, az, cutoff] = cone.to_ne_bytes().map(|b| b as i8);
+        let places = [i(b0), i(b1), i(b2)];
         Self {
-            base: [i(b0), i(b1), i(b2)],
+            base: places.map(|word| word >> 5),
+            shifts: places.map(|word| (word & 31) as u8),
             radius: u16::from_le_bytes([low, high]),
             vertices,
             triangles,
@@ -405,13 +419,13 @@ impl Record for Meshlet {
     }
 
     fn to_words(&self) -> Self::Words {
-        let [b0, b1, b2] = self.base.map(w);
         let [low, high] = self.radius.to_le_bytes();
         let [ax, ay, az] = self.cone_axis.map(|c| c as u8);
+        let ([b0, b1, b2], [s0, s1, s2]) = (self.base, self.shifts.map(i32::from));
         [
-            b0,
-            b1,
-            b2,
+            w((b0 << 5) | s0),
+            w((b1 << 5) | s1),
+            w((b2 << 5) | s2),
             u32::from_ne_bytes([low, high, self.vertices, self.triangles]),
             u32::from_ne_bytes([ax, ay, az, self.cone_cutoff as u8]),
             self.first_vertex.to_le(),

@@ -1,7 +1,7 @@
 //! Clip coordinates to the screen.
 
 use super::ClipVertex;
-use crate::math::{FineDepth, FineLevel, SubPx, mul_high, reciprocal};
+use crate::math::{FineDepth, FineLevel, SUBPX_BITS, SubPx, mul_high, reciprocal};
 use crate::view::ActorView;
 
 /// A vertex on the screen. Not meaningful in x, y and z if `outside` says that
@@ -101,7 +101,10 @@ pub fn project(view: &ActorView, vertex: &ClipVertex) -> ScreenVertex {
         // (v << up) * mantissa / 2^32 is v / distance * 2^(29 - guard_shift),
         // and the lens's exponent is 21 - guard_shift.
         let up = (recip.shift as i32 - view.guard_shift - 1).max(0) as u32;
-        let divide = |v: i32| (mul_high(v << up.min(31), recip.mantissa) + 128) >> 8;
+        let divide = |v: i32| {
+            (mul_high(v << up.min(31), recip.mantissa) + (1 << (17 - SUBPX_BITS)))
+                >> (18 - SUBPX_BITS)
+        };
         (divide(vertex.x), divide(vertex.y))
     } else {
         (view.parallel(vertex.x), view.parallel(vertex.y))

@@ -21,10 +21,13 @@ impl MeshletRows {
             let [a, b, c] = row.map(i64::from);
             *constant += a * x + b * y + c * z;
         }
-        Self {
-            rows: view.rows,
-            constants,
-        }
+        let [sx, sy, sz] = meshlet.shifts.map(u32::from);
+        // A coefficient times a vertex's distance is within the mesh's reach,
+        // whichever of the two has the power of two.
+        let rows = view
+            .rows
+            .map(|[a, b, c]| [a.wrapping_shl(sx), b.wrapping_shl(sy), c.wrapping_shl(sz)]);
+        Self { rows, constants }
     }
 
     /// Clip coordinates x, y and distance of a point near the base.

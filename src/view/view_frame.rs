@@ -74,9 +74,9 @@ impl ViewFrame {
 }
 
 impl Lens {
-    /// `half_height / (divisor / 2^fraction)`; `half_height` below 2^21.
+    /// `half_height / (divisor / 2^fraction)`; `half_height` below 2^23.
     fn new(half_height: u64, divisor: u32, fraction: i32) -> Self {
-        let quotient = (half_height << 43) / u64::from(divisor.max(1));
+        let quotient = (half_height << 41) / u64::from(divisor.max(1));
         let bits = 64 - quotient.leading_zeros() as i32;
         let mantissa = if bits > 31 {
             quotient >> (bits - 31)
@@ -85,7 +85,7 @@ impl Lens {
         };
         Self {
             mantissa: mantissa as i32,
-            exponent: bits - (43 - fraction),
+            exponent: bits - (41 - fraction),
         }
     }
 }

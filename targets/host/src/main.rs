@@ -7,6 +7,7 @@ use std::io::Write;
 use std::process::ExitCode;
 use std::time::Instant;
 
+use fixel_runner::engine::EngineError;
 use fixel_runner::{Job, Memory, Platform, measure};
 
 /// The largest picture in one band.
@@ -75,8 +76,11 @@ fn run() -> Result<(), String> {
         picture,
         written: Ok(()),
     };
-    let mut memory = Box::new(Memory::<PIXELS, { PIXELS * 2 }>::new());
-    measure(&mut host, blob, job, &mut memory).map_err(|error| error.message().to_owned())?;
+    let mut memory = Box::new(Memory::<PIXELS>::new());
+    measure(&mut host, blob, job, &mut memory).map_err(|error| match error {
+        EngineError::Scene(error) => format!("{path}: {error}"),
+        EngineError::Memory => error.message().to_owned(),
+    })?;
     host.written
         .map_err(|error| format!("the picture: {error}"))
 }

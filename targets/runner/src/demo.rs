@@ -1,7 +1,9 @@
 //! The smallest useful firmware: one frame in bands, row by row to a panel.
 //! What it takes in flash, RAM and stack is what `cargo xtask footprint` says.
 
-use crate::engine::{self, EngineError, Scene, Scratch};
+use fixel::palette::Rgb565Table;
+
+use crate::engine::{self, Buffers, EngineError, Scratch};
 
 /// Rows in a band.
 pub const BAND_ROWS: usize = 16;
@@ -14,19 +16,21 @@ const PIXELS: usize = WIDTH * BAND_ROWS;
 pub struct Memory {
     index: [u8; PIXELS],
     depth: [u16; PIXELS],
-    row: [u8; WIDTH * 2],
+    row: [u16; WIDTH],
     scratch: Scratch,
+    colours: Rgb565Table,
 }
 
 impl Memory {
-    /// All zero: lies in `.bss`.
+    /// Ready for the first frame.
     #[allow(clippy::new_without_default)]
     pub const fn new() -> Self {
         Self {
             index: [0; PIXELS],
             depth: [0; PIXELS],
-            row: [0; WIDTH * 2],
+            row: [0; WIDTH],
             scratch: Scratch::new(),
+            colours: Rgb565Table::new(),
         }
     }
 }
@@ -39,15 +43,22 @@ pub fn draw(
     memory: &mut Memory,
     mut send: impl FnMut(&[u8]),
 ) -> Result<(), EngineError> {
-    let scene = Scene::parse(blob)?;
+    let scene = engine::parse(blob)?;
     let row = &mut memory.row;
-    engine::render(
-        &scene,
-        frame,
-        BAND_ROWS,
-        &mut memory.scratch,
-        &mut memory.index,
-        &mut memory.depth,
-        |band| band.rows_rgb565(row, &mut send),
-    )
+    let buffers = Buffers {
+        index: &mut memory.index,
+        depth: &mut memory.depth,
+        scratch: &mut memory.scratch,
+        colours: &mut memory.colours,
+    };
+    engine::render(&scene, frame, BAND_ROWS, buffers, |band, colours| {
+        let width = usize::from(band.width).max(1);
+        let Some(row) = row.get_mut(..width) else {
+            return;
+        };
+        for indices in band.indices.chunks_exact(width) {
+            colours.resolve(indices, row);
+            send(bytemuck::cast_slice(row));
+        }
+    })
 }

@@ -110,9 +110,9 @@ unsafe fn loaded(address: usize, length: usize) -> &'static [u8] {
 /// # Safety
 /// `scene_address` is where the emulator loads a scene, as [`loaded`] needs it,
 /// with at least `scene_capacity` bytes mapped.
-pub unsafe fn main<C: Counter, const PIXELS: usize, const BYTES: usize>(
+pub unsafe fn main<C: Counter, const PIXELS: usize>(
     counter: C,
-    memory: &mut Memory<PIXELS, BYTES>,
+    memory: &mut Memory<PIXELS>,
     scene_address: usize,
     scene_capacity: usize,
 ) -> ! {

@@ -4,7 +4,10 @@
 use core::hint::black_box;
 use core::sync::atomic::{Ordering, compiler_fence};
 
-use crate::engine::{self, EngineError, Finished, Scene, Scratch};
+use fixel::frame::BandRows;
+use fixel::palette::Rgb565Table;
+
+use crate::engine::{self, Buffers, EngineError, Scratch};
 use crate::hash::Fnv64;
 use crate::line::Line;
 
@@ -35,25 +38,26 @@ pub struct Job {
 }
 
 /// Everything that frames need, for pictures of at most `PIXELS` pixels in one
-/// band; `BYTES` is twice that.
+/// band.
 #[derive(Debug)]
-pub struct Memory<const PIXELS: usize, const BYTES: usize> {
+pub struct Memory<const PIXELS: usize> {
     index: [u8; PIXELS],
     depth: [u16; PIXELS],
-    panel: [u8; BYTES],
+    panel: [u16; PIXELS],
     scratch: Scratch,
+    colours: Rgb565Table,
 }
 
-impl<const PIXELS: usize, const BYTES: usize> Memory<PIXELS, BYTES> {
-    /// All zero: lies in `.bss`.
+impl<const PIXELS: usize> Memory<PIXELS> {
+    /// Ready for the first frame.
     #[allow(clippy::new_without_default)]
     pub const fn new() -> Self {
-        const { assert!(BYTES == PIXELS * 2, "two bytes a pixel") };
         Self {
             index: [0; PIXELS],
             depth: [0; PIXELS],
-            panel: [0; BYTES],
+            panel: [0; PIXELS],
             scratch: Scratch::new(),
+            colours: Rgb565Table::new(),
         }
     }
 }
@@ -117,11 +121,11 @@ struct Digest {
 }
 
 impl Digest {
-    fn band(&mut self, band: &Finished<'_>, panel: &[u8]) {
-        self.index.bytes(band.index);
-        self.depth.words(band.depth);
+    fn band(&mut self, band: BandRows<'_>, panel: &[u8]) {
+        self.index.bytes(band.indices);
+        self.depth.words(band.depths);
         self.panel.bytes(panel);
-        self.covered += band.depth.iter().filter(|&&depth| depth != 0).count() as u64;
+        self.covered += band.depths.iter().filter(|&&depth| depth != 0).count() as u64;
     }
 }
 
@@ -129,43 +133,47 @@ impl Digest {
 /// `height`, `covered` pixels, `count` (instructions for the frame up to the
 /// bytes that a panel takes; hashing is not in it), and the hashes `index`,
 /// `depth` and `panel`.
-pub fn measure<P: Platform, const PIXELS: usize, const BYTES: usize>(
+pub fn measure<P: Platform, const PIXELS: usize>(
     platform: &mut P,
     blob: &[u8],
     job: Job,
-    memory: &mut Memory<PIXELS, BYTES>,
+    memory: &mut Memory<PIXELS>,
 ) -> Result<(), EngineError> {
-    let scene = Scene::parse(blob)?;
-    let band_rows = job.band_rows.min(scene.height);
+    let scene = engine::parse(blob)?;
     for frame in job.from..job.to {
         let mut digest = Digest::default();
         let mut watch = Stopwatch::new(platform);
         let panel = &mut memory.panel;
+        let buffers = Buffers {
+            index: &mut memory.index,
+            depth: &mut memory.depth,
+            scratch: &mut memory.scratch,
+            colours: &mut memory.colours,
+        };
         watch.start(platform);
         engine::render(
             black_box(&scene),
             frame,
-            band_rows,
-            &mut memory.scratch,
-            &mut memory.index,
-            &mut memory.depth,
-            |band| {
-                let Some(panel) = panel.get_mut(..band.index.len() * 2) else {
+            job.band_rows,
+            buffers,
+            |band, colours| {
+                let Some(panel) = panel.get_mut(..band.indices.len()) else {
                     return;
                 };
-                band.resolve_rgb565(panel);
+                colours.resolve(band.indices, panel);
                 black_box(&mut *panel);
                 watch.stop(platform);
-                digest.band(band, panel);
-                platform.show(panel);
+                let bytes = bytemuck::cast_slice(panel);
+                digest.band(band, bytes);
+                platform.show(bytes);
                 watch.start(platform);
             },
         )?;
         watch.stop(platform);
         Line::new()
             .small("frame", frame)
-            .small("width", scene.width as u32)
-            .small("height", scene.height as u32)
+            .small("width", scene.width().into())
+            .small("height", scene.height().into())
             .number("covered", digest.covered)
             .number("count", watch.total)
             .hex("index", digest.index.value())
@@ -210,13 +218,13 @@ mod tests {
 
     #[test]
     fn not_a_scene() {
-        let mut memory = Memory::<64, 128>::new();
+        let mut memory = Memory::<64>::new();
         let job = Job {
             from: 0,
             to: 1,
             band_rows: 8,
         };
         let result = measure(&mut Fake::default(), b"nonsense", job, &mut memory);
-        assert_eq!(result, Err(EngineError::Scene));
+        assert!(matches!(result, Err(EngineError::Scene(_))), "{result:?}");
     }
 }

@@ -1,10 +1,14 @@
-//! Vertices onto a mesh's grid.
+//! A mesh's grid.
 
-use fixel::scene::layout::GRID_HALF;
-use glam::{DVec3, IVec3};
+use fixel::scene::layout::{GRID_HALF, MOST_SHIFT};
+use glam::DVec3;
 
-/// A meshlet's vertices are at most this many steps from its base.
-const MEMBER_HALF: f64 = 32766.0;
+/// A meshlet's vertices are at most this many of its own steps from its base:
+/// 16 bits, less what rounding and snapping may add.
+const MEMBER_HALF: f64 = 32760.0;
+
+/// For each axis, the power of two of grid steps that vertices are on.
+pub(crate) type Shifts = [u8; 3];
 
 /// A mesh's grid: a power of two as its step, so that places which are binary
 /// fractions stay exact.
@@ -17,25 +21,32 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// The finest grid on which the mesh and each cluster's box fit.
-    pub(crate) fn new(mesh: Bounds, clusters: impl Iterator<Item = Bounds>) -> Self {
-        let cluster = clusters.map(|b| b.half()).fold(0.0, f64::max);
-        let mesh_half = mesh.half().max(f64::MIN_POSITIVE);
-        let finest = (MEMBER_HALF / cluster.max(f64::MIN_POSITIVE))
-            .min((f64::from(GRID_HALF) - 65536.0) / mesh_half);
+    /// The finest grid that holds a mesh with these bounds.
+    pub(crate) fn new(mesh: Bounds) -> Self {
+        let half = mesh.half().max_element().max(f64::MIN_POSITIVE);
+        // Room for the rounding of the centre and the snapping of vertices.
+        let finest = (f64::from(GRID_HALF) - 1024.0) / half;
         let exponent = finest.log2().floor().clamp(-60.0, 60.0) as i32;
-        let step = f64::exp2(f64::from(-exponent));
+        let coarse = f64::exp2(f64::from(i32::from(MOST_SHIFT) - exponent));
+        // A multiple of the coarsest step that a meshlet may have.
         Self {
             exponent,
-            centre: (mesh.middle() / step).round() * step,
+            centre: (mesh.middle() / coarse).round() * coarse,
         }
     }
 
-    /// The nearest grid point.
-    pub(crate) fn snap(&self, p: DVec3) -> IVec3 {
-        ((p - self.centre) * f64::exp2(f64::from(self.exponent)))
-            .round()
-            .as_ivec3()
+    /// In steps from the grid's centre.
+    pub(crate) fn steps(&self, p: DVec3) -> DVec3 {
+        (p - self.centre) * f64::exp2(f64::from(self.exponent))
+    }
+
+    /// The finest steps for a meshlet with these bounds.
+    pub(crate) fn shifts(&self, meshlet: Bounds) -> Shifts {
+        let half = meshlet.half() * f64::exp2(f64::from(self.exponent));
+        half.to_array().map(|half| {
+            let needed = (half / MEMBER_HALF).max(1.0).log2().ceil();
+            needed.clamp(0.0, f64::from(MOST_SHIFT)) as u8
+        })
     }
 }
 
@@ -58,8 +69,8 @@ impl Bounds {
         })
     }
 
-    fn half(&self) -> f64 {
-        ((self.high - self.low) / 2.0).max_element().max(0.0)
+    fn half(&self) -> DVec3 {
+        ((self.high - self.low) / 2.0).max(DVec3::ZERO)
     }
 
     fn middle(&self) -> DVec3 {

@@ -8,11 +8,15 @@ mod blob;
 mod error;
 mod grid;
 mod instance;
+mod mesh;
 mod meshlet;
 mod normal;
 mod oklab;
 mod palette;
+mod records;
+mod snap;
 mod units;
 
-pub use blob::{Baked, Source, bake};
+pub use blob::{Baked, bake};
 pub use error::BakeError;
+pub use mesh::Source;

@@ -22,8 +22,16 @@ struct Builder<'a> {
     radius: f64,
 }
 
-/// Cuts a mesh into clusters of at most 64 vertices and 128 triangles.
+/// Cuts a mesh into clusters of at most 64 vertices and 128 triangles. A mesh
+/// within these limits stays whole and in its own order.
 pub(crate) fn clusters(positions: &[DVec3], triangles: &[[u32; 3]]) -> Vec<Cluster> {
+    let mut vertices = triangles.as_flattened().to_vec();
+    vertices.sort_unstable();
+    vertices.dedup();
+    if vertices.len() <= MESHLET_VERTICES && triangles.len() <= MESHLET_TRIANGLES {
+        let whole: Cluster = (0..triangles.len()).collect();
+        return Vec::from_iter((!whole.is_empty()).then_some(whole));
+    }
     let mut builder = Builder::new(positions, triangles);
     let mut clusters = Vec::new();
     for seed in spatial_order(&builder.centres) {

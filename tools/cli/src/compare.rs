@@ -90,3 +90,61 @@ fn summary(report: &Report) -> String {
     }
     text
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn report() -> Report {
+        serde_json::from_value(json!({
+            "width": 8, "height": 4, "covered_px": 16, "coverage_mismatch_px": 1,
+            "depth_max_lsb": 1.25, "depth_mean_lsb": 0.25, "visible_mismatch_px": 2,
+            "level_max": 3.5, "level_mean": 0.5, "rgb_psnr_db": 999.0,
+            "rgb_psnr_true_db": 48.5, "index_equal_percent": 93.75, "agreeing_px": 13,
+            "coverage_mismatch_percent": 6.25, "depth_within_1_percent": 90.0,
+            "level_within_2_percent": 80.0, "rgb_psnr_true_covered_db": 47.0,
+            "depth_max_at": [3, 2], "level_max_at": null,
+            "mismatches": [{
+                "x": 5, "y": 1, "kind": "extra", "truth": null, "frame": [0, 7],
+                "truth_depth_lsb": 0.0, "frame_depth_lsb": 99
+            }]
+        }))
+        .unwrap()
+    }
+
+    #[test]
+    fn json_is_one_flat_object() {
+        let report = report();
+        let comparison = Comparison {
+            scene: "a.toml".into(),
+            renderer: "raster",
+            frame: 3,
+            report: &report,
+        };
+        let object = serde_json::to_value(&comparison).unwrap();
+        assert_eq!(object["scene"], "a.toml");
+        assert_eq!(
+            (&object["frame"], &object["covered_px"]),
+            (&json!(3), &json!(16))
+        );
+        assert_eq!(object["rgb_psnr_db"], 999.0);
+    }
+
+    #[test]
+    fn the_summary_has_every_figure() {
+        let text = summary(&report());
+        for wanted in [
+            "8 x 4 px, 16 covered",
+            "1 px differ (6.2500 %)",
+            "2 px show another triangle",
+            "max 1.25 at 3, 2, mean 0.250, 90.00 % within 1",
+            "max 3.50, mean 0.500, 80.00 % within 2",
+            "999.00 dB, 48.50 dB",
+            "93.75 % equal",
+            "Extra at 5, 1: truth None, frame Some([0, 7])",
+        ] {
+            assert!(text.contains(wanted), "{wanted} in {text}");
+        }
+    }
+}

@@ -77,20 +77,12 @@ pub fn bake(name: &str) -> Result<Baked> {
     })
 }
 
-/// A placeholder for the baker: a blob that `fixel_runner`'s placeholder for
-/// the renderer draws a pattern from.
+/// The scene as bytes for flash.
 fn blob(source: &Path) -> Result<Vec<u8>> {
-    let name = source.to_string_lossy();
-    let (width, height): (u16, u16) = if name.contains("64x64") {
-        (64, 64)
-    } else {
-        (320, 240)
-    };
-    let mut blob = b"FXPL".to_vec();
-    blob.extend(width.to_le_bytes());
-    blob.extend(height.to_le_bytes());
-    blob.extend(name.as_bytes());
-    Ok(blob)
+    let fail = |error: &dyn std::fmt::Display| format!("{}: {error}", source.display());
+    let scene = fixel_scene::load(source).map_err(|error| error.to_string())?;
+    let baked = fixel_bake::bake(&scene).map_err(|error| fail(&error))?;
+    Ok(baked.bytes().to_vec())
 }
 
 #[cfg(test)]

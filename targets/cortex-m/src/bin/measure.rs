@@ -9,7 +9,7 @@ use fixel_runner::Memory;
 /// The largest picture in one band.
 const PIXELS: usize = 320 * 240;
 
-static mut MEMORY: Memory<PIXELS, { PIXELS * 2 }> = Memory::new();
+static mut MEMORY: Memory<PIXELS> = Memory::new();
 
 #[cortex_m_rt::entry]
 fn main() -> ! {

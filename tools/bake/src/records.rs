@@ -1,0 +1,164 @@
+//! What the description says of camera, lights, materials and actors, in the
+//! blob's records.
+
+use fixel::scene::{self as core_scene, Header};
+use fixel_scene::{ColourFormat, Cull, Light, LightKind, Material, Projection, Scene, Shading};
+use glam::DVec3;
+
+use crate::BakeError;
+use crate::grid::Grid;
+use crate::instance::Instance;
+use crate::palette::ambient_level;
+use crate::units::{Units, mantissa_exponent, turns, unit_q30};
+
+pub(crate) fn header(scene: &Scene, units: &Units) -> Result<Header, BakeError> {
+    let camera = &scene.camera;
+    let [mut near, mut far] = camera.clipping_range;
+    let (focus, mut eye) = (
+        DVec3::from(camera.focal_point),
+        DVec3::from(camera.position),
+    );
+    let (projection, half_height) = match camera.projection {
+        Projection::Perspective { view_angle } => {
+            let tangent = (view_angle.to_radians() / 2.0).tan() * f64::exp2(24.0);
+            if !(1.0..f64::exp2(32.0)).contains(&tangent) {
+                return Err(BakeError::Range {
+                    what: "camera.view_angle".into(),
+                    value: view_angle,
+                });
+            }
+            (0, tangent.round() as u32)
+        }
+        Projection::Parallel { parallel_scale } => {
+            if near <= 0.0 {
+                // The eye may stand anywhere along the line of sight: back to
+                // where all is in front of it.
+                let back = far - near;
+                let away = (eye - focus).normalize_or_zero();
+                eye += away * back;
+                (near, far) = (near + back, far + back);
+            }
+            let half = units.length("camera.parallel_scale", parallel_scale)?;
+            (1, half.max(1) as u32)
+        }
+    };
+    // What is farther than a world length holds is farther than all there is.
+    let far = match units.length("camera.clipping_range", far) {
+        Ok(far) => far,
+        Err(_) if projection == 0 => i32::MAX,
+        Err(error) => return Err(error),
+    };
+    let near = units.length("camera.clipping_range", near)?.max(1);
+    Ok(Header {
+        length: 0,
+        checksum: 0,
+        width: scene.display.width as u16,
+        height: scene.display.height as u16,
+        colour_format: match scene.display.colour {
+            ColourFormat::Rgb888 => 0,
+            ColourFormat::Rgb565 => 1,
+            ColourFormat::Rgb444 => 2,
+            ColourFormat::Gray8 => 3,
+            ColourFormat::Gray4 => 4,
+            ColourFormat::Gray2 => 5,
+            ColourFormat::Mono => 6,
+        },
+        world_exponent: units.exponent as i8,
+        turntable: scene.animation.turntable.unwrap_or(0),
+        position: units.point("camera.position", eye)?,
+        focal_point: units.point("camera.focal_point", focus)?,
+        // Only its direction counts.
+        view_up: unit_q30(DVec3::from(camera.view_up)),
+        projection,
+        half_height,
+        near,
+        far: far.max(near + 1),
+    })
+}
+
+pub(crate) fn light(light: &Light) -> Result<core_scene::Light, BakeError> {
+    let LightKind::Directional { direction } = light.kind;
+    let [r, g, b] = light.colour;
+    if r != g || g != b {
+        return Err(BakeError::NotYet {
+            what: "a coloured light".into(),
+        });
+    }
+    let intensity = light.intensity * r;
+    if !(0.0..=32.0).contains(&intensity) {
+        return Err(BakeError::Range {
+            what: "light.intensity".into(),
+            value: intensity,
+        });
+    }
+    Ok(core_scene::Light {
+        towards: unit_q30(-DVec3::from(direction)),
+        intensity: (intensity * 65536.0).round() as u32,
+    })
+}
+
+pub(crate) fn material(
+    scene: &Scene,
+    shade: u16,
+    material: &Material,
+) -> Result<core_scene::Material, BakeError> {
+    let name = &material.name;
+    let [r, g, b] = scene.ambient;
+    if r != g || g != b {
+        return Err(BakeError::NotYet {
+            what: "coloured ambient light".into(),
+        });
+    }
+    if material.ambient > 0.0 && material.ambient_colour != material.diffuse_colour {
+        let what = format!("material `{name}`: an ambient colour other than the diffuse one");
+        return Err(BakeError::NotYet { what });
+    }
+    Ok(core_scene::Material {
+        shading: match material.shading {
+            Shading::Flat => core_scene::Shading::Flat,
+            Shading::Gouraud => core_scene::Shading::Gouraud,
+        },
+        cull: match material.cull {
+            Cull::Back => core_scene::Cull::Back,
+            Cull::Front => core_scene::Cull::Front,
+            Cull::None => core_scene::Cull::None,
+        },
+        shade,
+        ambient: (ambient_level(material, r) * 64.0).round() as u16,
+        diffuse: (material.diffuse.clamp(0.0, 1.0) * 65536.0).round() as u32,
+    })
+}
+
+pub(crate) fn actors(
+    scene: &Scene,
+    units: &Units,
+    instances: &[Instance],
+    uses: &[(usize, f64)],
+    grids: &[Grid],
+) -> Result<Vec<core_scene::Actor>, BakeError> {
+    let actor = |(actor, (which, factor)): (&fixel_scene::Actor, &(usize, f64))| {
+        let (instance, grid) = (&instances[*which], &grids[*which]);
+        let origin = DVec3::from(actor.origin);
+        let pivot = DVec3::from(actor.position) + origin;
+        let offset = (grid.centre - origin * instance.scale) * *factor;
+        let name = &actor.name;
+        let step = factor * f64::exp2(f64::from(units.exponent - grid.exponent));
+        let (step_mantissa, step_exponent) = mantissa_exponent(step);
+        if !(-64..=32).contains(&step_exponent) {
+            return Err(BakeError::Range {
+                what: format!("actor `{name}`: scale"),
+                value: *factor,
+            });
+        }
+        Ok(core_scene::Actor {
+            mesh: *which as u16,
+            material: actor.material as u16,
+            position: units.point(&format!("actor `{name}`: position"), pivot)?,
+            orientation: actor.orientation.map(turns),
+            offset: units.point(&format!("actor `{name}`: origin"), offset)?,
+            step_mantissa,
+            step_exponent,
+        })
+    };
+    scene.actors.iter().zip(uses).map(actor).collect()
+}
