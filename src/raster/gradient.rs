@@ -76,7 +76,7 @@ impl Plane {
         // To 31 bits and a sign.
         let down = (33 - n.unsigned_abs().leading_zeros() as i32).max(0);
         let product = (n >> down) * i64::from(self.recip.mantissa);
-        // n / area = product * 2^(down + shift - scale - 62); a pixel is 2^10
+        // n / area = product * 2^(down + shift - scale - 62); a pixel is 2^12
         // sub-pixels, and the result has 16 fractional bits.
         let up =
             down + self.recip.shift as i32 - self.scale - 62 + SUBPX_BITS as i32 + (16 - fraction);

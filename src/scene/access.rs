@@ -91,6 +91,11 @@ impl<'a> Scene<'a> {
         })
     }
 
+    /// Number of meshes.
+    pub fn mesh_count(&self) -> u16 {
+        self.meshes.len() as u16
+    }
+
     /// A mesh; an index out of range gives an empty one.
     pub fn mesh(&self, index: u16) -> Mesh {
         read(self.meshes, usize::from(index)).unwrap_or(Mesh {

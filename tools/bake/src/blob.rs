@@ -1,7 +1,7 @@
 //! The blob: all parts together.
 
 use fixel::scene::layout::{CHECKED_FROM, HEADER_WORDS, LIGHTS, PREFIX_BYTES, SECTIONS};
-use fixel::scene::{Header, Record, checksum};
+use fixel::scene::{Header, Record, SceneError, checksum};
 use fixel_scene::Scene;
 
 use crate::BakeError;
@@ -20,6 +20,38 @@ pub struct Baked {
 }
 
 impl Baked {
+    /// A blob from its bytes, checked.
+    ///
+    /// # Errors
+    /// As [`fixel::Scene::parse`].
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, SceneError> {
+        let mut words = vec![0u32; bytes.len().div_ceil(4)];
+        bytemuck::cast_slice_mut(&mut words)[..bytes.len()].copy_from_slice(bytes);
+        let scene = fixel::Scene::parse(&bytemuck::cast_slice(&words)[..bytes.len()])?;
+        let mut sources = Vec::new();
+        for mesh in 0..scene.mesh_count() {
+            let record = scene.mesh(mesh);
+            let meshlets = record.first_meshlet..record.first_meshlet + record.meshlets;
+            let counts = meshlets
+                .filter_map(|m| scene.meshlet(m))
+                .map(|m| u32::from(m.triangles));
+            let source = |triangle| Source {
+                mesh: mesh.into(),
+                triangle,
+            };
+            sources.extend((0..counts.sum()).map(source));
+        }
+        Ok(Self { words, sources })
+    }
+
+    /// The scene, ready to be rendered.
+    ///
+    /// # Errors
+    /// None for a blob of [`bake`] or [`Baked::from_bytes`].
+    pub fn scene(&self) -> Result<fixel::Scene<'_>, SceneError> {
+        fixel::Scene::parse(self.bytes())
+    }
+
     /// The blob's bytes, aligned as the core needs them.
     pub fn bytes(&self) -> &[u8] {
         bytemuck::cast_slice(&self.words)

@@ -15,8 +15,10 @@ mod oklab;
 mod palette;
 mod records;
 mod snap;
+mod unbake;
 mod units;
 
 pub use blob::{Baked, bake};
 pub use error::BakeError;
 pub use mesh::Source;
+pub use unbake::unbake;

@@ -1,0 +1,167 @@
+//! The way back: a blob becomes a description, so that a baked scene can be
+//! held against the reference too.
+//!
+//! What baking rounds stays rounded: places are grid points, normals are
+//! octahedral, a material's colour is the palette's at full light.
+
+use fixel::Scene as Blob;
+use fixel::scene as core_scene;
+use fixel_scene::{
+    Actor, Animation, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Material,
+    Mesh, Palette, Projection, Rgb, Scene, Shading,
+};
+use glam::DVec3;
+
+use crate::normal;
+
+/// The description of a baked scene.
+pub fn unbake(blob: &Blob<'_>) -> Scene {
+    let header = blob.header();
+    let scene_unit = f64::exp2(-f64::from(header.world_exponent));
+    let length = |bits: i32| f64::from(bits) * scene_unit / 65536.0;
+    let point = |bits: [i32; 3]| bits.map(length);
+    let camera = Camera {
+        position: point(header.position),
+        focal_point: point(header.focal_point),
+        view_up: header.view_up.map(|c| f64::from(c) / f64::exp2(30.0)),
+        projection: if header.projection == 0 {
+            let tangent = f64::from(header.half_height) / f64::exp2(24.0);
+            Projection::Perspective {
+                view_angle: 2.0 * tangent.atan().to_degrees(),
+            }
+        } else {
+            Projection::Parallel {
+                parallel_scale: length(header.half_height as i32),
+            }
+        },
+        clipping_range: [header.near, header.far].map(length),
+    };
+    let colours = |index: u8| blob.palette()[usize::from(index)].map(|c| f64::from(c) / 255.0);
+    Scene {
+        display: Display {
+            width: header.width.into(),
+            height: header.height.into(),
+            colour: colour_format(blob.colour_format()),
+            background: background(blob, colours),
+        },
+        camera,
+        ambient: [1.0; 3],
+        lights: blob.lights().map(|l| light(&l)).collect(),
+        materials: (0..blob.material_count())
+            .map(|i| {
+                material(
+                    i,
+                    &blob.material(i),
+                    colours(blob.shade(&blob.material(i))[255]),
+                )
+            })
+            .collect(),
+        meshes: (0..blob.mesh_count()).map(|i| mesh(blob, i)).collect(),
+        actors: (0..blob.actor_count())
+            .map(|i| {
+                let actor = blob.actor(i);
+                let step = f64::from(actor.step_mantissa)
+                    * f64::exp2(f64::from(actor.step_exponent - 31))
+                    * scene_unit;
+                // A grid point q goes to position + R (offset + step q): scaled
+                // about the point whose distance to the grid's centre that is.
+                let origin = DVec3::from(point(actor.offset)) / -step;
+                Actor {
+                    name: format!("actor {}", i + 1),
+                    mesh: actor.mesh.into(),
+                    material: actor.material.into(),
+                    origin: origin.to_array(),
+                    position: (DVec3::from(point(actor.position)) - origin).to_array(),
+                    orientation: actor
+                        .orientation
+                        .map(|a| f64::from(a) * 360.0 / f64::exp2(32.0)),
+                    scale: [step; 3],
+                }
+            })
+            .collect(),
+        animation: Animation {
+            turntable: (header.turntable != 0).then_some(header.turntable),
+        },
+        palette: Palette {
+            colours: blob.palette().len() as u32,
+        },
+    }
+}
+
+fn colour_format(format: core_scene::ColourFormat) -> ColourFormat {
+    match format {
+        core_scene::ColourFormat::Rgb888 => ColourFormat::Rgb888,
+        core_scene::ColourFormat::Rgb565 => ColourFormat::Rgb565,
+        core_scene::ColourFormat::Rgb444 => ColourFormat::Rgb444,
+        core_scene::ColourFormat::Gray8 => ColourFormat::Gray8,
+        core_scene::ColourFormat::Gray4 => ColourFormat::Gray4,
+        core_scene::ColourFormat::Gray2 => ColourFormat::Gray2,
+        core_scene::ColourFormat::Mono => ColourFormat::Mono,
+    }
+}
+
+fn background(blob: &Blob<'_>, colour: impl Fn(u8) -> Rgb) -> Background {
+    let rows = blob.height();
+    let [top, bottom] = [0, rows.saturating_sub(1)].map(|y| colour(blob.background(y, rows)));
+    if top == bottom {
+        Background::Solid(top)
+    } else {
+        Background::Gradient { top, bottom }
+    }
+}
+
+fn light(light: &core_scene::Light) -> Light {
+    let direction = light.towards.map(|c| -f64::from(c));
+    Light {
+        kind: LightKind::Directional { direction },
+        colour: [1.0; 3],
+        intensity: f64::from(light.intensity) / 65536.0,
+    }
+}
+
+fn material(number: u16, material: &core_scene::Material, colour: Rgb) -> Material {
+    Material {
+        name: format!("material {}", number + 1),
+        ambient_colour: colour,
+        diffuse_colour: colour,
+        ambient: f64::from(material.ambient) / (64.0 * 255.0),
+        diffuse: f64::from(material.diffuse) / 65536.0,
+        emission: 0.0,
+        shading: match material.shading {
+            core_scene::Shading::Flat => Shading::Flat,
+            core_scene::Shading::Gouraud => Shading::Gouraud,
+        },
+        cull: match material.cull {
+            core_scene::Cull::Back => Cull::Back,
+            core_scene::Cull::Front => Cull::Front,
+            core_scene::Cull::None => Cull::None,
+        },
+    }
+}
+
+/// A mesh in grid steps, its triangles in the blob's order.
+fn mesh(blob: &Blob<'_>, number: u16) -> Mesh {
+    let record = blob.mesh(number);
+    let mut mesh = Mesh {
+        name: format!("mesh {}", number + 1),
+        ..Mesh::default()
+    };
+    for i in 0..record.meshlets {
+        let Some(meshlet) = blob.meshlet(record.first_meshlet + i) else {
+            continue;
+        };
+        let first = mesh.positions.len() as u32;
+        for vertex in blob.meshlet_vertices(&meshlet) {
+            let [x, y, z, code] = vertex.map(i16::from_le);
+            let steps = [x, y, z].map(i32::from);
+            let place = [0, 1, 2].map(|a| meshlet.base[a] + (steps[a] << meshlet.shifts[a]));
+            mesh.positions.push(place.map(f64::from));
+            let code = code.to_le_bytes().map(|b| b as i8);
+            mesh.normals.push(normal::decode(code).to_array());
+        }
+        let corners = |t: &[u8; 3]| t.map(|v| first + u32::from(v));
+        mesh.triangles
+            .extend(blob.meshlet_triangles(&meshlet).iter().map(corners));
+    }
+    mesh
+}
