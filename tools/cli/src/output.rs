@@ -16,7 +16,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
 
 fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let target = match fs::metadata(path) {
-        Ok(there) if there.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
+        // A folder refuses.
         Ok(there) if !there.is_file() => return fs::write(path, bytes),
         Ok(_) => fs::canonicalize(path)?,
         Err(_) => path.to_owned(),
