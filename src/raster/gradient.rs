@@ -1,6 +1,6 @@
 //! How an attribute changes from pixel to pixel.
 
-use crate::math::{Reciprocal, SUBPX_BITS, reciprocal};
+use crate::math::{Reciprocal, SUBPX_BITS, mul_high, reciprocal};
 use crate::vertex::ScreenVertex;
 
 /// One over a triangle's doubled area, and its edges from the first vertex.
@@ -11,6 +11,8 @@ pub(super) struct Plane {
     scale: i32,
     d1: [i32; 2],
     d2: [i32; 2],
+    /// No edge is longer than this, sub-pixels, to within a factor of two.
+    size: i32,
 }
 
 /// Change of an attribute a pixel, 16 fractional bits.
@@ -20,13 +22,14 @@ pub(super) struct Gradient {
     pub y: i32,
 }
 
+/// Differences below this multiply to 30 bits and a sign, and add to 31.
+const SMALL: i32 = 1 << 15;
+
 impl Plane {
     /// For vertices with the doubled `area` (not 0; sub-pixels squared, its
     /// sign is that of the winding).
     #[inline(always)]
     pub(super) fn new([a, b, c]: [&ScreenVertex; 3], area: i64) -> Self {
-        let bits = 64 - area.unsigned_abs().leading_zeros() as i32;
-        let scale = (bits - 32).max(0);
         let (ax, ay) = (a.x.to_bits(), a.y.to_bits());
         let mut d1 = [b.x.to_bits() - ax, b.y.to_bits() - ay];
         let mut d2 = [c.x.to_bits() - ax, c.y.to_bits() - ay];
@@ -35,11 +38,15 @@ impl Plane {
             d1 = d1.map(i32::wrapping_neg);
             d2 = d2.map(i32::wrapping_neg);
         }
+        let positive = area.unsigned_abs();
+        let scale = (32 - positive.leading_zeros() as i32).max(0);
+        let size = [d1, d2].as_flattened().iter().fold(0, |m, d| m | d.abs());
         Self {
-            recip: reciprocal((area.unsigned_abs() >> scale) as u32),
+            recip: reciprocal((positive >> scale) as u32),
             scale,
             d1,
             d2,
+            size,
         }
     }
 
@@ -50,6 +57,12 @@ impl Plane {
     #[inline(always)]
     pub(super) fn gradient(&self, v1: i32, v2: i32, fraction: i32) -> Option<Gradient> {
         let ([x1, y1], [x2, y2]) = (self.d1, self.d2);
+        if (self.size | v1.abs() | v2.abs()) < SMALL {
+            return Some(Gradient {
+                x: self.divide_small(v1 * y2 - v2 * y1, fraction)?,
+                y: self.divide_small(x1 * v2 - x2 * v1, fraction)?,
+            });
+        }
         let product = |a: i32, b: i32| i64::from(a) * i64::from(b);
         Some(Gradient {
             x: self.divide(product(v1, y2) - product(v2, y1), fraction)?,
@@ -57,27 +70,30 @@ impl Plane {
         })
     }
 
-    /// What stands in for a gradient that exceeds the format: along the
-    /// triangle's `height`, from its top vertex to its bottom one, nothing
-    /// across. A sliver is not wide enough for the difference to be seen.
-    #[cold]
-    pub(super) fn along(change: i32, height: i32, fraction: i32) -> Gradient {
-        let change = i64::from(change) << (SUBPX_BITS as i32 + 16 - fraction);
-        let y = change.checked_div(height.into()).unwrap_or(0);
-        Gradient {
-            x: 0,
-            y: i32::try_from(y).unwrap_or(0),
+    /// `n / |area|` a pixel, with 16 fractional bits, for a triangle whose area
+    /// has at most 31 bits.
+    #[inline(always)]
+    fn divide_small(&self, n: i32, fraction: i32) -> Option<i32> {
+        // n / area = high * 2^(32 + shift - 62); a pixel is 2^SUBPX_BITS
+        // sub-pixels, and the result has 16 fractional bits.
+        let high = mul_high(n, self.recip.mantissa);
+        let up = self.recip.shift as i32 - 30 + SUBPX_BITS as i32 + 16 - fraction;
+        if up <= 0 {
+            return Some(high >> up.wrapping_neg().min(31));
         }
+        let up = up.min(31);
+        let shifted = high << up;
+        (shifted >> up == high).then_some(shifted)
     }
 
     /// `n / |area|` a pixel, with 16 fractional bits.
-    #[inline(always)]
+    #[inline(never)]
     fn divide(&self, n: i64, fraction: i32) -> Option<i32> {
         // To 31 bits and a sign.
         let down = (33 - n.unsigned_abs().leading_zeros() as i32).max(0);
         let product = (n >> down) * i64::from(self.recip.mantissa);
-        // n / area = product * 2^(down + shift - scale - 62); a pixel is 2^12
-        // sub-pixels, and the result has 16 fractional bits.
+        // n / area = product * 2^(down + shift - scale - 62); a pixel is
+        // 2^SUBPX_BITS sub-pixels, and the result has 16 fractional bits.
         let up =
             down + self.recip.shift as i32 - self.scale - 62 + SUBPX_BITS as i32 + (16 - fraction);
         if up >= 0 {
@@ -89,5 +105,20 @@ impl Plane {
             return Some(0);
         }
         i32::try_from((product + (1i64 << (by - 1))) >> by).ok()
+    }
+}
+
+impl Gradient {
+    /// What stands in for a gradient that exceeds the format: along the
+    /// triangle's `height`, from its top vertex to its bottom one, nothing
+    /// across. A sliver is not wide enough for the difference to be seen.
+    #[cold]
+    pub(super) fn along(change: i32, height: i32, fraction: i32) -> Self {
+        let change = i64::from(change) << (SUBPX_BITS as i32 + 16 - fraction);
+        let y = change.checked_div(height.into()).unwrap_or(0);
+        Self {
+            x: 0,
+            y: i32::try_from(y).unwrap_or(0),
+        }
     }
 }

@@ -7,6 +7,7 @@
 //! (Bresenham's error term), so the rule holds to the last sub-pixel bit, and
 //! two triangles of one edge share it without gap or overlap.
 
+mod attribute;
 mod edge;
 mod gradient;
 mod span;

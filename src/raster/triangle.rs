@@ -1,5 +1,6 @@
 //! A triangle becomes spans.
 
+use super::attribute::Attribute;
 use super::edge::Edge;
 use super::gradient::{Gradient, Plane};
 use super::span::{self, Fill};
@@ -44,32 +45,147 @@ fn first_centre(v: i32) -> i32 {
     (v + (HALF_PX - 1)) >> SUBPX_BITS
 }
 
+/// Pixel rows or columns whose centres lie between the ends, held to `least..most`.
+#[inline(always)]
+fn centres([a, b, c]: [i32; 3], least: i32, most: i32) -> (i32, i32) {
+    let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+    (first_centre(low).max(least), first_centre(high).min(most))
+}
+
 /// Draws a triangle of either winding.
 pub fn draw_triangle(target: &mut Target<'_>, triangle: [&ScreenVertex; 3], fill: Fill<'_>) {
-    let [mut top, mut middle, mut bottom] = triangle;
-    if top.y > middle.y {
-        (top, middle) = (middle, top);
-    }
-    if middle.y > bottom.y {
-        (middle, bottom) = (bottom, middle);
-    }
-    if top.y > middle.y {
-        (top, middle) = (middle, top);
-    }
+    // Many triangles of a fine mesh lie between pixel centres.
     let (clip_top, clip_end) = (i32::from(target.top), i32::from(target.end));
-    let first = first_centre(top.y.to_bits()).max(clip_top);
-    let end = first_centre(bottom.y.to_bits()).min(clip_end);
+    let (first, end) = centres(triangle.map(|v| v.y.to_bits()), clip_top, clip_end);
     if first >= end {
         return;
     }
-    let sorted = [top, middle, bottom];
+    let columns = centres(triangle.map(|v| v.x.to_bits()), 0, target.width.into());
+    if columns.0 >= columns.1 {
+        return;
+    }
+    let sorted = sort(triangle);
     let area = doubled_area(sorted);
     if area == 0 {
         return;
     }
-    let bend = first_centre(middle.y.to_bits()).clamp(first, end);
+    match fill {
+        Fill::Flat(index) => {
+            let z = |plane: &Plane, row| Attributes::depth(plane, sorted, row);
+            scan(
+                target,
+                sorted,
+                area,
+                (first, end),
+                z,
+                |indices, depths, at, columns| {
+                    span::flat(indices, depths, at.z.at(columns), at.z.gradient.x, index);
+                },
+            );
+        }
+        Fill::Gouraud(shades) => {
+            let both = |plane: &Plane, row| Attributes::depth_and_level(plane, sorted, row);
+            scan(
+                target,
+                sorted,
+                area,
+                (first, end),
+                both,
+                |indices, depths, at, columns| {
+                    let z = (at.z.at(columns), at.z.gradient.x);
+                    let level = (at.level.at(columns), at.level.gradient.x);
+                    span::gouraud(indices, depths, z, level, shades);
+                },
+            );
+        }
+    }
+}
 
-    let mut filler = Filler::new(sorted, area, first, fill);
+/// From the highest to the lowest.
+#[inline(always)]
+fn sort([mut a, mut b, mut c]: [&ScreenVertex; 3]) -> [&ScreenVertex; 3] {
+    if a.y > b.y {
+        (a, b) = (b, a);
+    }
+    if b.y > c.y {
+        (b, c) = (c, b);
+    }
+    if a.y > b.y {
+        (a, b) = (b, a);
+    }
+    [a, b, c]
+}
+
+/// What changes over a triangle, at the centre of one pixel: the top vertex's
+/// column in the current row.
+#[derive(Clone, Copy)]
+struct Attributes {
+    z: Attribute,
+    level: Attribute,
+}
+
+impl Attributes {
+    #[inline(always)]
+    fn depth(plane: &Plane, sorted: [&ScreenVertex; 3], row: i32) -> Self {
+        let z = attribute(plane, sorted, sorted.map(|v| v.z.to_bits() as i32), 4, row);
+        Self {
+            z,
+            level: Attribute::default(),
+        }
+    }
+
+    #[inline(always)]
+    fn depth_and_level(plane: &Plane, sorted: [&ScreenVertex; 3], row: i32) -> Self {
+        let levels = sorted.map(|v| i32::from(v.level.to_bits()));
+        let level = attribute(plane, sorted, levels, 6, row);
+        Self {
+            level,
+            ..Self::depth(plane, sorted, row)
+        }
+    }
+
+    #[inline(always)]
+    fn advance(&mut self) {
+        self.z.advance();
+        self.level.advance();
+    }
+}
+
+/// An attribute with `fraction` fractional bits at the three vertices, on `row`.
+#[inline(always)]
+fn attribute(
+    plane: &Plane,
+    [top, _, bottom]: [&ScreenVertex; 3],
+    [a, b, c]: [i32; 3],
+    fraction: i32,
+    row: i32,
+) -> Attribute {
+    let gradient = match plane.gradient(b - a, c - a, fraction) {
+        Some(gradient) => gradient,
+        None => Gradient::along(c - a, (bottom.y - top.y).to_bits(), fraction),
+    };
+    let value = (a as u32) << (16 - fraction);
+    Attribute::new(value, gradient, [top.x.to_bits(), top.y.to_bits()], row)
+}
+
+/// Walks the rows `first..end` of a triangle. Attributes are set up by `setup`
+/// when the first pixel is found, and `draw` gets the pixels of each span and
+/// the columns from the attributes' place to the span's first pixel.
+#[inline(always)]
+fn scan(
+    target: &mut Target<'_>,
+    sorted: [&ScreenVertex; 3],
+    area: i64,
+    (first, end): (i32, i32),
+    setup: impl Fn(&Plane, i32) -> Attributes,
+    draw: impl Fn(&mut [u8], &mut [crate::math::Depth], &Attributes, i32),
+) {
+    let [top, middle, bottom] = sorted;
+    let width = i32::from(target.width);
+    let column = top.x.to_bits() >> SUBPX_BITS;
+    let bend = first_centre(middle.y.to_bits()).clamp(first, end);
+    let mut start = (first - i32::from(target.top)) * width;
+    let mut attributes: Option<Attributes> = None;
     let mut long = Edge::new(top, bottom, first);
     // The long edge is on the left if the middle vertex is to its right.
     let long_left = area > 0;
@@ -79,115 +195,25 @@ pub fn draw_triangle(target: &mut Target<'_>, triangle: [&ScreenVertex; 3], fill
         }
         let mut short = Edge::new(upper, lower, from);
         for row in from..to {
-            let (left, right) = if long_left {
-                (&long, &short)
-            } else {
-                (&short, &long)
-            };
-            filler.row(target, row, left.pixel(), right.pixel());
+            let (a, b) = (long.pixel(), short.pixel());
+            let (left, right) = if long_left { (a, b) } else { (b, a) };
+            let (left, right) = (left.max(0), right.min(width));
+            if left < right {
+                let at = attributes.get_or_insert_with(|| setup(&Plane::new(sorted, area), row));
+                let pixels = (start + left) as usize..(start + right) as usize;
+                if let (Some(indices), Some(depths)) = (
+                    target.indices.get_mut(pixels.clone()),
+                    target.depths.get_mut(pixels),
+                ) {
+                    draw(indices, depths, at, left - column);
+                }
+            }
+            if let Some(at) = &mut attributes {
+                at.advance();
+            }
+            start += width;
             long.advance();
             short.advance();
         }
-    }
-}
-
-/// An attribute over a triangle: its value at the centre of pixel
-/// `(column, row)`, and how it changes. 16 fractional bits, and half a unit
-/// added so that cutting off the fraction rounds.
-#[derive(Clone, Copy, Debug, Default)]
-struct Attribute {
-    at_row: u32,
-    gradient: Gradient,
-}
-
-impl Attribute {
-    /// `value` with 16 fractional bits at `vertex`.
-    #[inline(always)]
-    fn new(value: u32, gradient: Gradient, to_centre: [i32; 2]) -> Self {
-        let [dx, dy] = to_centre.map(i64::from);
-        let change = i64::from(gradient.x) * dx + i64::from(gradient.y) * dy;
-        // Modulo 2^32: the value inside the triangle is in range.
-        let change = (change >> SUBPX_BITS) as i32;
-        Self {
-            at_row: value.wrapping_add(1 << 15).wrapping_add_signed(change),
-            gradient,
-        }
-    }
-
-    #[inline(always)]
-    fn at(&self, columns: i32) -> u32 {
-        self.at_row
-            .wrapping_add_signed(self.gradient.x.wrapping_mul(columns))
-    }
-
-    #[inline(always)]
-    fn advance(&mut self) {
-        self.at_row = self.at_row.wrapping_add_signed(self.gradient.y);
-    }
-}
-
-/// Fills the rows of one triangle.
-struct Filler<'a> {
-    column: i32,
-    depth: Attribute,
-    level: Attribute,
-    fill: Fill<'a>,
-}
-
-impl<'a> Filler<'a> {
-    #[inline(always)]
-    fn new(sorted: [&ScreenVertex; 3], area: i64, row: i32, fill: Fill<'a>) -> Self {
-        let [a, b, c] = sorted;
-        let plane = Plane::new(sorted, area);
-        let column = a.x.to_bits() >> SUBPX_BITS;
-        let to_centre = [
-            (column << SUBPX_BITS) + HALF_PX - a.x.to_bits(),
-            (row << SUBPX_BITS) + HALF_PX - a.y.to_bits(),
-        ];
-        let attribute = |values: [i32; 3], fraction: i32| {
-            let [va, vb, vc] = values;
-            let gradient = plane
-                .gradient(vb - va, vc - va, fraction)
-                .unwrap_or_else(|| Plane::along(vc - va, (c.y - a.y).to_bits(), fraction));
-            Attribute::new((va as u32) << (16 - fraction), gradient, to_centre)
-        };
-        let depth = attribute([a, b, c].map(|v| v.z.to_bits() as i32), 4);
-        let level = match fill {
-            Fill::Flat(_) => Attribute::default(),
-            Fill::Gouraud(_) => attribute([a, b, c].map(|v| i32::from(v.level.to_bits())), 6),
-        };
-        Self {
-            column,
-            depth,
-            level,
-            fill,
-        }
-    }
-
-    /// Pixels `left..right` of a row; then on to the next row.
-    #[inline(always)]
-    fn row(&mut self, target: &mut Target<'_>, row: i32, left: i32, right: i32) {
-        let width = i32::from(target.width);
-        let (left, right) = (left.max(0), right.min(width));
-        if left < right {
-            let start = ((row - i32::from(target.top)) * width + left) as usize;
-            let pixels = start..start + (right - left) as usize;
-            let columns = left - self.column;
-            if let (Some(indices), Some(depths)) = (
-                target.indices.get_mut(pixels.clone()),
-                target.depths.get_mut(pixels),
-            ) {
-                let depth = (self.depth.at(columns), self.depth.gradient.x);
-                match self.fill {
-                    Fill::Flat(index) => span::flat(indices, depths, depth.0, depth.1, index),
-                    Fill::Gouraud(shades) => {
-                        let level = (self.level.at(columns), self.level.gradient.x);
-                        span::gouraud(indices, depths, depth, level, shades);
-                    }
-                }
-            }
-        }
-        self.depth.advance();
-        self.level.advance();
     }
 }

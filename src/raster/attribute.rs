@@ -1,0 +1,53 @@
+//! An attribute over a triangle.
+
+use super::gradient::Gradient;
+use crate::math::{HALF_PX, SUBPX_BITS};
+
+/// An attribute at the centre of one pixel, and how it changes. 16 fractional
+/// bits, and half a unit added so that cutting off the fraction rounds. Sums are
+/// modulo 2^32: what lies inside the triangle is in range.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Attribute {
+    at_row: u32,
+    pub gradient: Gradient,
+}
+
+impl Attribute {
+    /// From its `value` at a vertex to the centre of the pixel in the vertex's
+    /// column and in `row`.
+    #[inline(always)]
+    pub(super) fn new(value: u32, gradient: Gradient, [x, y]: [i32; 2], row: i32) -> Self {
+        const FRACTION: i32 = (1 << SUBPX_BITS) - 1;
+        let own = part(gradient.x, HALF_PX - (x & FRACTION))
+            .wrapping_add(part(gradient.y, HALF_PX - (y & FRACTION)));
+        let rows = row - (y >> SUBPX_BITS);
+        let at_row = value
+            .wrapping_add(1 << 15)
+            .wrapping_add_signed(own)
+            .wrapping_add_signed(gradient.y.wrapping_mul(rows));
+        Self { at_row, gradient }
+    }
+
+    /// The value `columns` to the right.
+    #[inline(always)]
+    pub(super) fn at(&self, columns: i32) -> u32 {
+        self.at_row
+            .wrapping_add_signed(self.gradient.x.wrapping_mul(columns))
+    }
+
+    /// On to the next row.
+    #[inline(always)]
+    pub(super) fn advance(&mut self) {
+        self.at_row = self.at_row.wrapping_add_signed(self.gradient.y);
+    }
+}
+
+/// The change over `distance` sub-pixels, at most half a pixel: the product
+/// rounded down, in two 32-bit halves.
+#[inline(always)]
+fn part(gradient: i32, distance: i32) -> i32 {
+    const LOW: i32 = (1 << SUBPX_BITS) - 1;
+    let (high, low) = (gradient >> SUBPX_BITS, gradient & LOW);
+    high.wrapping_mul(distance)
+        .wrapping_add((low * distance) >> SUBPX_BITS)
+}
