@@ -128,7 +128,7 @@ fn main() -> ExitCode {
 fn run(task: Task) -> Result<()> {
     match task {
         Task::Test { stage } => test::run(&stage),
-        Task::Accuracy(json) => figures(&json, accuracy::run, pretty),
+        Task::Accuracy(json) => figures(&json, accuracy::run, accuracy::markdown),
         Task::Parity(json) => figures(&json, parity::run, pretty),
         Task::Bench { json, markdown } => {
             let show = if markdown { bench::markdown } else { pretty };

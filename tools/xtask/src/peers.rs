@@ -8,8 +8,8 @@ pub struct Peer {
     pub scene: &'static str,
     /// What it draws.
     pub what: &'static str,
-    /// Covered pixels.
-    pub covered_px: u64,
+    /// Pixels drawn, each as often as it is.
+    pub drawn_px: u64,
     /// The best peer on a Cortex-M4F, millions of instructions a frame.
     pub cortex_m4f: &'static str,
     /// The best peer on thumbv6m code, millions of instructions a frame.
@@ -21,42 +21,42 @@ pub const PEERS: [Peer; 6] = [
     Peer {
         scene: "w1_teapot_flat",
         what: "teapot, flat",
-        covered_px: 20_092,
+        drawn_px: 20_092,
         cortex_m4f: "1.11 tgx",
         cortex_m0plus: "2.22 small3dlib (one depth a triangle), 4.81 (a pixel)",
     },
     Peer {
         scene: "w2_teapot_gouraud",
         what: "teapot, Gouraud",
-        covered_px: 20_092,
+        drawn_px: 20_092,
         cortex_m4f: "1.45 tgx",
         cortex_m0plus: "5.11 small3dlib",
     },
     Peer {
         scene: "w3_bunny_gouraud",
         what: "bunny, Gouraud",
-        covered_px: 17_620,
+        drawn_px: 17_620,
         cortex_m4f: "2.62 tgx",
         cortex_m0plus: "10.8 small3dlib",
     },
     Peer {
         scene: "w4_cube_textured",
         what: "cube, 64x64 texture in perspective",
-        covered_px: 43_271,
+        drawn_px: 43_271,
         cortex_m4f: "1.84 tgx",
         cortex_m0plus: "21.1 small3dlib (exact), 5.88 (a divide every 32 px)",
     },
     Peer {
         scene: "w5_fill",
         what: "20 full-screen triangles, back to front",
-        covered_px: 768_000,
+        drawn_px: 768_000,
         cortex_m4f: "13.4 tgx, 9.02 small3dlib (one depth a triangle)",
         cortex_m0plus: "14.2 small3dlib (one depth a triangle), 46.6 (a pixel)",
     },
     Peer {
         scene: "w6_bunny_64x64",
         what: "bunny at 64x64",
-        covered_px: 1_254,
+        drawn_px: 1_254,
         cortex_m4f: "1.51 tgx",
         cortex_m0plus: "6.2 small3dlib",
     },
