@@ -14,7 +14,7 @@ mod span;
 mod triangle;
 
 pub use span::Fill;
-pub use triangle::{Facing, draw_triangle, facing};
+pub use triangle::{Drawn, Sides, draw_triangle};
 
 #[cfg(test)]
 mod tests;

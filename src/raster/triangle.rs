@@ -8,26 +8,24 @@ use crate::frame::Target;
 use crate::math::{HALF_PX, SUBPX_BITS};
 use crate::vertex::ScreenVertex;
 
-/// Which side of a triangle is seen.
+/// Which sides of a triangle are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Facing {
-    /// Counter-clockwise on the screen.
-    Front,
-    /// Clockwise.
-    Back,
-    /// Neither: it has no area on the screen's sub-pixel grid.
-    Edge,
+pub struct Sides {
+    /// Seen counter-clockwise on the screen.
+    pub front: bool,
+    /// Seen clockwise.
+    pub back: bool,
 }
 
-/// Which side is seen.
-#[inline(always)]
-pub fn facing(triangle: [&ScreenVertex; 3]) -> Facing {
-    match doubled_area(triangle) {
-        // y points down.
-        ..0 => Facing::Front,
-        0 => Facing::Edge,
-        1.. => Facing::Back,
-    }
+/// What became of a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drawn {
+    /// It is not in these rows, or between pixel centres.
+    Missed,
+    /// It shows a side that is not drawn, or is seen edge-on.
+    Away,
+    /// Its pixels were filled where nothing nearer stood.
+    Filled,
 }
 
 /// Twice the signed area in sub-pixels squared; exact.
@@ -52,23 +50,48 @@ fn centres([a, b, c]: [i32; 3], least: i32, most: i32) -> (i32, i32) {
     (first_centre(low).max(least), first_centre(high).min(most))
 }
 
-/// Draws a triangle of either winding.
-pub fn draw_triangle(target: &mut Target<'_>, triangle: [&ScreenVertex; 3], fill: Fill<'_>) {
-    // Many triangles of a fine mesh lie between pixel centres.
+/// Draws a triangle if it shows one of `sides`; `fill` is asked for only then.
+#[inline(always)]
+pub fn draw_triangle<'f>(
+    target: &mut Target<'_>,
+    triangle: [&ScreenVertex; 3],
+    sides: Sides,
+    fill: impl FnOnce() -> Fill<'f>,
+) -> Drawn {
+    // Many triangles of a fine mesh lie between pixel centres, and in a band
+    // most lie in other rows.
     let (clip_top, clip_end) = (i32::from(target.top), i32::from(target.end));
     let (first, end) = centres(triangle.map(|v| v.y.to_bits()), clip_top, clip_end);
     if first >= end {
-        return;
+        return Drawn::Missed;
+    }
+    let area = doubled_area(triangle);
+    // y points down.
+    let shown = if area < 0 {
+        sides.front
+    } else {
+        sides.back && area > 0
+    };
+    if !shown {
+        return Drawn::Away;
     }
     let columns = centres(triangle.map(|v| v.x.to_bits()), 0, target.width.into());
     if columns.0 >= columns.1 {
-        return;
+        return Drawn::Missed;
     }
-    let sorted = sort(triangle);
-    let area = doubled_area(sorted);
-    if area == 0 {
-        return;
-    }
+    fill_triangle(target, triangle, area, (first, end), fill());
+    Drawn::Filled
+}
+
+#[inline(never)]
+fn fill_triangle(
+    target: &mut Target<'_>,
+    triangle: [&ScreenVertex; 3],
+    area: i64,
+    rows: (i32, i32),
+    fill: Fill<'_>,
+) {
+    let (sorted, area) = sort(triangle, area);
     match fill {
         Fill::Flat(index) => {
             let z = |plane: &Plane, row| Attributes::depth(plane, sorted, row);
@@ -76,7 +99,7 @@ pub fn draw_triangle(target: &mut Target<'_>, triangle: [&ScreenVertex; 3], fill
                 target,
                 sorted,
                 area,
-                (first, end),
+                rows,
                 z,
                 |indices, depths, at, columns| {
                     span::flat(indices, depths, at.z.at(columns), at.z.gradient.x, index);
@@ -89,7 +112,7 @@ pub fn draw_triangle(target: &mut Target<'_>, triangle: [&ScreenVertex; 3], fill
                 target,
                 sorted,
                 area,
-                (first, end),
+                rows,
                 both,
                 |indices, depths, at, columns| {
                     let z = (at.z.at(columns), at.z.gradient.x);
@@ -101,19 +124,19 @@ pub fn draw_triangle(target: &mut Target<'_>, triangle: [&ScreenVertex; 3], fill
     }
 }
 
-/// From the highest to the lowest.
+/// From the highest to the lowest. The area's sign follows the winding.
 #[inline(always)]
-fn sort([mut a, mut b, mut c]: [&ScreenVertex; 3]) -> [&ScreenVertex; 3] {
+fn sort([mut a, mut b, mut c]: [&ScreenVertex; 3], mut area: i64) -> ([&ScreenVertex; 3], i64) {
     if a.y > b.y {
-        (a, b) = (b, a);
+        (a, b, area) = (b, a, -area);
     }
     if b.y > c.y {
-        (b, c) = (c, b);
+        (b, c, area) = (c, b, -area);
     }
     if a.y > b.y {
-        (a, b) = (b, a);
+        (a, b, area) = (b, a, -area);
     }
-    [a, b, c]
+    ([a, b, c], area)
 }
 
 /// What changes over a triangle, at the centre of one pixel: the top vertex's

@@ -6,7 +6,7 @@ use super::stats::FrameStats;
 use super::visible_list::Entry;
 use crate::clip::clip;
 use crate::frame::Target;
-use crate::raster::{Facing, draw_triangle, facing};
+use crate::raster::{Sides, draw_triangle};
 use crate::scene::layout::MESHLET_VERTICES;
 use crate::scene::{Cull, Meshlet, Scene, Shading};
 use crate::vertex::{ScreenVertex, TransformedMeshlet, transform_meshlet, vertex};
@@ -35,48 +35,42 @@ pub(super) fn draw_meshlet<P: Paint>(
 
     let shades = scene.shade(&view.material);
     let flat = view.material.shading == Shading::Flat;
+    let sides = sides(view.material.cull);
     let normals = scene.meshlet_face_normals(&meshlet, &view.mesh);
+    stats.triangles += u32::from(meshlet.triangles);
     for (i, indices) in scene.meshlet_triangles(&meshlet).iter().enumerate() {
-        stats.triangles += 1;
         let triangle = indices.map(|index| corner(vertices, index));
         let [a, b, c] = triangle.map(|v| v.outside);
         if a & b & c != 0 {
             stats.triangles_outside += 1;
             continue;
         }
-        let crosses = a | b | c != 0;
-        if !crosses && left_out(view.material.cull, facing(triangle)) {
-            stats.triangles_away += 1;
-            continue;
-        }
-        let level = if flat {
-            let normal = normals.get(i).copied().unwrap_or_default();
-            Some(round_level(view.lights.level(normal)))
-        } else {
-            None
+        let fill = || {
+            let level = flat.then(|| {
+                let normal = normals.get(i).copied().unwrap_or_default();
+                round_level(view.lights.level(normal))
+            });
+            let triangle = meshlet.first_triangle + i as u32;
+            paint.fill(
+                shades,
+                level,
+                Ids {
+                    actor: entry.actor,
+                    triangle,
+                },
+            )
         };
-        let ids = Ids {
-            actor: entry.actor,
-            triangle: meshlet.first_triangle + i as u32,
-        };
-        let fill = paint.fill(shades, level, ids);
-        if !crosses {
-            stats.triangles_drawn += 1;
-            draw_triangle(target, triangle, fill);
+        if a | b | c == 0 {
+            stats.count(draw_triangle(target, triangle, sides, fill));
             continue;
         }
         stats.triangles_clipped += 1;
-        let corners = clip_corners(scene, view, &meshlet, indices);
-        let polygon = clip(view, corners);
+        let polygon = clip(view, clip_corners(scene, view, &meshlet, indices));
         let Some((first, rest)) = polygon.vertices().split_first() else {
             continue;
         };
         for (b, c) in rest.iter().zip(rest.iter().skip(1)) {
-            let part = [first, b, c];
-            if !left_out(view.material.cull, facing(part)) {
-                stats.triangles_drawn += 1;
-                draw_triangle(target, part, fill);
-            }
+            stats.count(draw_triangle(target, [first, b, c], sides, fill));
         }
     }
 }
@@ -88,11 +82,10 @@ fn corner(vertices: &TransformedMeshlet, index: u8) -> &ScreenVertex {
     &vertices[usize::from(index) % MESHLET_VERTICES]
 }
 
-fn left_out(cull: Cull, facing: Facing) -> bool {
-    match facing {
-        Facing::Front => cull == Cull::Front,
-        Facing::Back => cull == Cull::Back,
-        Facing::Edge => true,
+fn sides(cull: Cull) -> Sides {
+    Sides {
+        front: cull != Cull::Front,
+        back: cull != Cull::Back,
     }
 }
 

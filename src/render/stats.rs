@@ -1,5 +1,7 @@
 //! What a frame took.
 
+use crate::raster::Drawn;
+
 /// Counts of one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FrameStats {
@@ -18,14 +20,27 @@ pub struct FrameStats {
     pub meshlets_transformed: u32,
     /// Vertices transformed.
     pub vertices: u32,
-    /// Triangles looked at.
+    /// Triangles looked at, counted again in each band.
     pub triangles: u32,
+    /// Triangles that are not in the band's rows or cover no pixel centre.
+    pub triangles_missed: u32,
     /// Triangles left out because of the side they show.
     pub triangles_away: u32,
     /// Triangles left out because they are beyond a plane.
     pub triangles_outside: u32,
-    /// Triangles that were clipped.
+    /// Triangles that were clipped, into one or more that count by themselves.
     pub triangles_clipped: u32,
-    /// Triangles handed to the rasteriser, counted again in each band.
+    /// Triangles drawn, counted again in each band.
     pub triangles_drawn: u32,
+}
+
+impl FrameStats {
+    /// Counts what became of a triangle.
+    pub(super) fn count(&mut self, drawn: Drawn) {
+        match drawn {
+            Drawn::Missed => self.triangles_missed += 1,
+            Drawn::Away => self.triangles_away += 1,
+            Drawn::Filled => self.triangles_drawn += 1,
+        }
+    }
 }

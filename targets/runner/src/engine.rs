@@ -26,10 +26,10 @@ impl EngineError {
     }
 }
 
-/// The renderer's working memory: 64 listed meshlets, 6 kept from band to band,
+/// The renderer's working memory: 64 listed meshlets, 10 kept from band to band,
 /// 4 actors. The measuring and the demo firmware use the same, so that speed
 /// and RAM belong together.
-pub type Scratch = fixel::Scratch<64, 6, 4>;
+pub type Scratch = fixel::Scratch<64, 10, 4>;
 
 /// Where bands are drawn.
 #[derive(Debug)]
