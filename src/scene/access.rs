@@ -121,6 +121,14 @@ impl<'a> Scene<'a> {
         self.vertices.len()
     }
 
+    /// Bytes that the meshes take: meshlets, vertices, triangles, face normals.
+    pub fn mesh_bytes(&self) -> usize {
+        size_of_val(self.meshlets)
+            + size_of_val(self.vertices)
+            + size_of_val(self.triangles)
+            + size_of_val(self.face_normals)
+    }
+
     /// A meshlet by its place in the scene's list.
     pub fn meshlet(&self, index: u32) -> Option<Meshlet> {
         read(self.meshlets, index as usize)

@@ -1,18 +1,24 @@
 //! `fixel bake`.
 
 use crate::{args, baked, input, output};
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 
 /// Bakes a scene into one file.
 pub fn run(args: &args::Bake) -> Result<()> {
-    let mut scene = input::load(&args.scene)?;
+    let mut input = input::load(&args.scene)?;
     if let Some(colours) = args.colours {
-        scene.palette.colours = colours;
+        if input.baked.is_some() {
+            bail!(
+                "{}: --colours needs a scene, this is baked already",
+                args.scene.display()
+            );
+        }
+        input.scene.palette.colours = colours;
     }
     let options = baked::Options {
         max_triangles: args.max_triangles,
     };
-    let bytes = baked::bake(&scene, options).with_context(|| args.scene.display().to_string())?;
+    let bytes = baked::bake(input, options).with_context(|| args.scene.display().to_string())?;
     output::write(&args.output, &bytes)?;
     eprintln!("wrote {} ({} bytes)", args.output.display(), bytes.len());
     Ok(())

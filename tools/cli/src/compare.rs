@@ -25,8 +25,8 @@ pub fn run(args: &args::Compare) -> Result<()> {
         Tested::Raster => "raster",
         Tested::Ray => bail!("the ray renderer is not there yet"),
     };
-    let scene = input::load(&args.scene)?;
-    let at = input::options(&scene, &args.frame);
+    let input = input::load(&args.scene)?;
+    let at = input::options(&input.scene, &args.frame);
     let options = raster::Options {
         width: at.width,
         height: at.height,
@@ -34,8 +34,8 @@ pub fn run(args: &args::Compare) -> Result<()> {
         bands: args.bands,
     };
     let name = || args.scene.display().to_string();
-    let rendered = raster::render(&scene, options).with_context(name)?;
-    let truth = reference::render(&scene, at);
+    let truth = reference::render(&input.scene, at);
+    let rendered = raster::render(input, options).with_context(name)?;
     let report = fixel_reference::compare(&truth, &rendered.frame).with_context(name)?;
     if let Some(destination) = &args.json {
         let comparison = Comparison {

@@ -1,17 +1,45 @@
 //! The scene that a command works on.
 
 use crate::args::Frame;
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
+use fixel_bake::Baked;
 use fixel_scene::Scene;
 use std::path::Path;
 
-/// Loads a scene or a mesh; what the loader has to say goes to standard error.
-pub fn load(path: &Path) -> Result<Scene> {
+/// A scene, and its blob if it came baked.
+#[derive(Debug)]
+pub struct Input {
+    /// The description; of a baked scene, what it still says of it.
+    pub scene: Scene,
+    /// The blob as it was in the file.
+    pub baked: Option<Baked>,
+}
+
+impl Input {
+    /// The blob: the file's own, or made now.
+    pub fn bake(self) -> Result<Baked> {
+        match self.baked {
+            Some(baked) => Ok(baked),
+            None => Ok(fixel_bake::bake(&self.scene)?),
+        }
+    }
+}
+
+/// Loads a scene, a mesh or a baked scene; what the loader has to say goes to
+/// standard error.
+pub fn load(path: &Path) -> Result<Input> {
     if path
         .extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case("fxl"))
     {
-        bail!("{}: reading a baked scene is not there yet", path.display());
+        let name = || path.display().to_string();
+        let bytes = std::fs::read(path).with_context(name)?;
+        let baked = Baked::from_bytes(&bytes).with_context(name)?;
+        let scene = fixel_bake::unbake(&baked.scene()?);
+        return Ok(Input {
+            scene,
+            baked: Some(baked),
+        });
     }
     let (scene, notes) = fixel_scene::load_with_notes(path)?;
     for note in notes {
@@ -25,7 +53,7 @@ pub fn load(path: &Path) -> Result<Scene> {
             scene.actors.len()
         );
     }
-    Ok(scene)
+    Ok(Input { scene, baked: None })
 }
 
 /// The picture to render: the size asked for, or the display's.

@@ -1,14 +1,13 @@
-//! The fixed-point rasteriser: bakes the scene in memory, renders it with the
-//! core, and hands back what the core drew as plain arrays.
+//! The fixed-point rasteriser: bakes the scene in memory if need be, renders it
+//! with the core, and hands back what the core drew as plain arrays.
 
+use crate::input::Input;
 use anyhow::{Result, bail};
 use fixel_reference::Frame;
-use fixel_scene::Scene;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 /// How to render.
 #[derive(Clone, Copy, Debug)]
-#[expect(dead_code, reason = "read once it is there")]
 pub struct Options {
     /// Width in pixels.
     pub width: u32,
@@ -30,6 +29,46 @@ pub struct Rendered {
 }
 
 /// Renders a scene with the core.
-pub fn render(_scene: &Scene, _options: Options) -> Result<Rendered> {
-    bail!("the raster renderer is not there yet")
+pub fn render(input: Input, options: Options) -> Result<Rendered> {
+    let baked = input.bake()?;
+    let scene = baked.scene()?;
+    let most = 2048;
+    let (Ok(width), Ok(height)) = (u16::try_from(options.width), u16::try_from(options.height))
+    else {
+        bail!(
+            "{}x{} pixels; at most {most}x{most}",
+            options.width,
+            options.height
+        );
+    };
+    if width > most || height > most {
+        bail!("{width}x{height} pixels; at most {most}x{most}");
+    }
+    let core_options = fixel_host::Options {
+        width,
+        height,
+        frame: options.frame,
+        band_rows: options.bands.map(|rows| rows.min(height.into()) as u16),
+    };
+    let (frame, planes) = fixel_host::frame(&baked, &scene, &core_options);
+    let s = planes.stats;
+    let counters = [
+        ("bands", s.bands),
+        ("meshlets", s.meshlets),
+        ("meshlets_outside", s.meshlets_outside),
+        ("meshlets_away", s.meshlets_away),
+        ("meshlets_transformed", s.meshlets_transformed),
+        ("list_refills", s.list_refills),
+        ("vertices", s.vertices),
+        ("triangles_looked_at", s.triangles),
+        ("triangles_missed", s.triangles_missed),
+        ("triangles_away", s.triangles_away),
+        ("triangles_outside", s.triangles_outside),
+        ("triangles_clipped", s.triangles_clipped),
+        ("triangles_drawn", s.triangles_drawn),
+    ];
+    let mut stats: Map<String, Value> = Map::new();
+    stats.extend(counters.map(|(name, count)| (name.to_owned(), json!(count))));
+    stats.insert("blob_bytes".into(), json!(baked.bytes().len()));
+    Ok(Rendered { frame, stats })
 }

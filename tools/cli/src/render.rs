@@ -1,6 +1,7 @@
 //! `fixel render`.
 
 use crate::args::{Destination, Renderer};
+use crate::input::Input;
 use crate::{args, input, output, raster, reference};
 use anyhow::{Context, Result, bail};
 use clap::{CommandFactory, error::ErrorKind};
@@ -27,11 +28,12 @@ pub fn run(args: &args::Render) -> Result<()> {
     if args.display.is_some() {
         bail!("--display is not there yet");
     }
-    let scene = input::load(&args.scene)?;
-    let options = input::options(&scene, &args.frame);
+    let input = input::load(&args.scene)?;
+    let options = input::options(&input.scene, &args.frame);
     let (width, height) = (options.width, options.height);
     let started = Instant::now();
-    let picture = draw(args, &scene, options)?;
+    let mut stats = common_stats(args, &input.scene, options);
+    let picture = draw(args, input, options)?;
     let milliseconds = started.elapsed().as_secs_f64() * 1e3;
 
     output::write(
@@ -45,7 +47,8 @@ pub fn run(args: &args::Render) -> Result<()> {
         output::write(path, &output::png_grey16(width, height, &picture.actor)?)?;
     }
     if let Some(destination) = &args.stats {
-        let mut stats = common_stats(args, &scene, options, &picture);
+        let covered = picture.actor.iter().filter(|id| **id != 0).count();
+        stats.insert("covered_px".into(), json!(covered));
         stats.insert("render_ms".into(), json!(milliseconds));
         stats.extend(picture.stats);
         output::json(destination, &stats)?;
@@ -84,10 +87,10 @@ fn refuse_same_file(args: &args::Render, picture: &Path) {
     }
 }
 
-fn draw(args: &args::Render, scene: &Scene, at: fixel_reference::Options) -> Result<Picture> {
+fn draw(args: &args::Render, input: Input, at: fixel_reference::Options) -> Result<Picture> {
     match args.renderer {
         Renderer::Reference => {
-            let truth = reference::render(scene, at);
+            let truth = reference::render(&input.scene, at);
             Ok(Picture {
                 rgb: truth.picture(),
                 depth: truth.depth16(),
@@ -103,7 +106,7 @@ fn draw(args: &args::Render, scene: &Scene, at: fixel_reference::Options) -> Res
                 bands: args.bands,
             };
             let rendered =
-                raster::render(scene, options).with_context(|| args.scene.display().to_string())?;
+                raster::render(input, options).with_context(|| args.scene.display().to_string())?;
             let frame = rendered.frame;
             Ok(Picture {
                 rgb: frame.rgb,
@@ -121,7 +124,6 @@ fn common_stats(
     args: &args::Render,
     scene: &Scene,
     options: fixel_reference::Options,
-    picture: &Picture,
 ) -> Map<String, Value> {
     let triangles = |actor: &fixel_scene::Actor| scene.meshes[actor.mesh].triangles.len();
     let renderer = match args.renderer {
@@ -135,10 +137,6 @@ fn common_stats(
         ("width", json!(options.width)),
         ("height", json!(options.height)),
         ("frame", json!(options.frame)),
-        (
-            "covered_px",
-            json!(picture.actor.iter().filter(|id| **id != 0).count()),
-        ),
         ("actors", json!(scene.actors.len())),
         (
             "triangles",
