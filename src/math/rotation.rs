@@ -79,6 +79,7 @@ impl Rotation {
 }
 
 /// `a * v / 2^30` for `|v| < 2^48`, rounded down, without 128-bit products.
+#[inline(never)]
 pub(super) fn scale_q30(a: i32, v: i64) -> i64 {
     let (high, low) = (v >> 15, v & 0x7fff);
     // a * high is a multiple of 2^15 in the product's scale.

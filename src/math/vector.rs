@@ -58,6 +58,7 @@ pub type Unit3 = [i32; 3];
 
 /// The direction of `v`, which may have any scale below 2^62; a vector of
 /// length 0 gives `None`. Error below 2^-28 a component.
+#[inline(never)]
 pub fn normalise(v: [i64; 3]) -> Option<Unit3> {
     let [x, y, z] = v;
     let largest = x.unsigned_abs().max(y.unsigned_abs()).max(z.unsigned_abs());
@@ -75,12 +76,14 @@ pub fn normalise(v: [i64; 3]) -> Option<Unit3> {
 }
 
 /// Cross product of two Q30 directions, in Q60 before any rounding.
+#[inline(never)]
 pub fn cross(a: Unit3, b: Unit3) -> [i64; 3] {
     let ([ax, ay, az], [bx, by, bz]) = (a.map(i64::from), b.map(i64::from));
     [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
 }
 
 /// Dot product of two Q30 directions in Q30, rounded to nearest.
+#[inline(never)] // used once an actor, in many places
 pub fn dot(a: Unit3, b: Unit3) -> i32 {
     let ([ax, ay, az], [bx, by, bz]) = (a.map(i64::from), b.map(i64::from));
     // Two directions of length 1: at most 1 + 2^-27.

@@ -6,11 +6,16 @@ use crate::view::{ActorView, ViewFrame};
 /// Room for one actor's matrices.
 #[derive(Clone, Copy, Debug)]
 pub struct ActorSlot {
-    view: Option<(u16, ActorView)>,
+    /// 1 + the actor's index; 0: none.
+    held: u32,
+    view: ActorView,
 }
 
 impl ActorSlot {
-    pub(super) const EMPTY: Self = Self { view: None };
+    pub(super) const EMPTY: Self = Self {
+        held: 0,
+        view: ActorView::ZERO,
+    };
 }
 
 /// The actors of a frame.
@@ -28,7 +33,9 @@ impl<'a> Actors<'a> {
         frame: &'a ViewFrame,
         slots: &'a mut [ActorSlot],
     ) -> Self {
-        slots.fill(ActorSlot::EMPTY);
+        for slot in &mut *slots {
+            slot.held = 0;
+        }
         Self {
             scene,
             pose,
@@ -37,23 +44,17 @@ impl<'a> Actors<'a> {
         }
     }
 
-    /// Whether all actors of the scene have a slot of their own.
-    pub(super) fn all_fit(&self) -> bool {
-        usize::from(self.scene.actor_count()) <= self.slots.len()
-    }
-
     /// The matrices of actor `index`; `None` without a slot.
     pub(super) fn get(&mut self, index: u16) -> Option<&ActorView> {
         let which = usize::from(index).checked_rem(self.slots.len())?;
         let slot = self.slots.get_mut(which)?;
-        if !matches!(slot.view, Some((held, _)) if held == index) {
+        let number = u32::from(index) + 1;
+        if slot.held != number {
             let actor = self.scene.actor(index);
             let placement = self.pose.placement(index, &actor);
-            slot.view = Some((
-                index,
-                ActorView::new(self.frame, self.scene, &actor, &placement),
-            ));
+            slot.view = ActorView::new(self.frame, self.scene, &actor, &placement);
+            slot.held = number;
         }
-        slot.view.as_ref().map(|(_, view)| view)
+        Some(&slot.view)
     }
 }

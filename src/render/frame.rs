@@ -6,7 +6,7 @@ use super::meshlet_cache::MeshletCache;
 use super::paint::{Paint, Shaded};
 use super::scratch::Workspace;
 use super::stats::FrameStats;
-use super::visible_list::{self, Cursor};
+use super::visible_list;
 use crate::display::Display;
 use crate::frame::Band;
 use crate::palette::Palette;
@@ -47,20 +47,18 @@ pub fn render_frame_with<P: Paint, D: Display>(
     let frame = ViewFrame::new(&pose.camera, width, height);
     let mut actors = Actors::new(scene, pose, &frame, work.actors);
 
-    // 2. Meshlets that may be seen, near ones first: for the whole frame if the
-    //    list holds them, else for each band in turn.
-    let mut cursor = Some(Cursor::default());
-    let all_rows = 0..height;
+    // 2. Meshlets that may be seen, near ones first: once for the whole frame if
+    //    the list holds them, else for each band, as often as it takes.
     let whole = visible_list::fill(
         work.entries,
-        &mut cursor,
+        None,
         scene,
         &mut actors,
-        &all_rows,
+        &(0..height),
         height,
         &mut stats,
     );
-    let whole = cursor.is_none().then_some(whole.len());
+    let whole = whole.last.is_none().then_some(whole.entries.len());
     let mut cache = MeshletCache::new(work.slots);
 
     display.begin(&Palette {
@@ -73,24 +71,26 @@ pub fn render_frame_with<P: Paint, D: Display>(
         target.clear(|y| paint.background(scene.background(y, height)));
         stats.bands += 1;
 
-        let mut cursor = whole.is_none().then(Cursor::default);
+        let mut after = None;
         loop {
-            let list = match whole {
+            let entries = match whole {
                 Some(count) => work.entries.get(..count).unwrap_or_default(),
                 None => {
                     stats.list_refills += 1;
-                    visible_list::fill(
+                    let list = visible_list::fill(
                         work.entries,
-                        &mut cursor,
+                        after,
                         scene,
                         &mut actors,
                         &rows,
                         height,
                         &mut stats,
-                    )
+                    );
+                    after = list.last;
+                    list.entries
                 }
             };
-            for entry in list.iter().filter(|entry| entry.touches(&rows)) {
+            for entry in entries.iter().filter(|entry| entry.touches(&rows)) {
                 // 3. Vertices: transform, project, light - or as kept from the
                 //    band before. 4. Triangles: back faces, clipping, setup,
                 //    spans.
@@ -107,7 +107,7 @@ pub fn render_frame_with<P: Paint, D: Display>(
                     &mut stats,
                 );
             }
-            if cursor.is_none() {
+            if after.is_none() {
                 break;
             }
         }

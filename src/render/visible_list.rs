@@ -17,6 +17,10 @@ pub struct Entry {
     pub(super) nearness: u16,
 }
 
+/// The order of drawing: no two meshlets of a frame have the same place in it,
+/// so that the picture does not depend on how many the list holds.
+pub(super) type Place = (u16, u16, u32);
+
 impl Entry {
     pub(super) const EMPTY: Self = Self {
         meshlet: 0,
@@ -29,77 +33,105 @@ impl Entry {
     pub(super) fn touches(&self, rows: &Range<u16>) -> bool {
         self.first_row < rows.end && self.end_row > rows.start
     }
+
+    fn place(&self) -> Place {
+        (u16::MAX - self.nearness, self.actor, self.meshlet)
+    }
 }
 
-/// Where the search for visible meshlets stands.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Cursor {
-    actor: u16,
-    meshlet: u32,
+/// A sorted list, and whether it is all there is.
+pub(super) struct List<'e> {
+    pub(super) entries: &'e [Entry],
+    /// If the list was too short: the place of its last entry.
+    pub(super) last: Option<Place>,
 }
 
-/// Lists visible meshlets that touch `rows`, from `cursor` on, until all are
-/// looked at (then the cursor is `None`) or the list is full. Sorts them near
-/// ones first; by actor first if the actors' matrices do not all fit.
+/// Lists the visible meshlets that touch `rows` and come after place `after`, as
+/// many as fit, near ones first.
 pub(super) fn fill<'e>(
     entries: &'e mut [Entry],
-    cursor: &mut Option<Cursor>,
+    after: Option<Place>,
     scene: &Scene<'_>,
     actors: &mut Actors<'_>,
     rows: &Range<u16>,
     height: u16,
     stats: &mut FrameStats,
-) -> &'e [Entry] {
+) -> List<'e> {
     let mut count = 0;
-    while let Some(at) = cursor.as_mut() {
-        if at.actor >= scene.actor_count() {
-            *cursor = None;
-            break;
-        }
-        let mesh = scene.mesh(scene.actor(at.actor).mesh);
-        let found = (at.meshlet < mesh.meshlets)
-            .then(|| scene.meshlet(mesh.first_meshlet.saturating_add(at.meshlet)))
-            .flatten();
-        let (Some(meshlet), Some(view)) = (found, actors.get(at.actor)) else {
-            *at = Cursor {
-                actor: at.actor + 1,
-                meshlet: 0,
-            };
+    let mut all = true;
+    for actor in 0..scene.actor_count() {
+        let mesh = scene.mesh(scene.actor(actor).mesh);
+        let Some(view) = actors.get(actor) else {
             continue;
         };
-        let Some(slot) = entries.get_mut(count) else {
-            break;
-        };
-        let number = mesh.first_meshlet.saturating_add(at.meshlet);
-        at.meshlet += 1;
-        stats.meshlets += 1;
-        match judge(view, &meshlet, height) {
-            Verdict::Visible(visible) => {
-                *slot = Entry {
-                    meshlet: number,
-                    actor: at.actor,
-                    first_row: visible.first_row,
-                    end_row: visible.end_row,
-                    nearness: visible.nearness,
-                };
-                count += usize::from(slot.touches(rows));
+        for number in mesh.first_meshlet..mesh.first_meshlet.saturating_add(mesh.meshlets) {
+            let Some(meshlet) = scene.meshlet(number) else {
+                continue;
+            };
+            stats.meshlets += 1;
+            let visible = match judge(view, &meshlet, height) {
+                Verdict::Visible(visible) => visible,
+                Verdict::OutsideView => {
+                    stats.meshlets_outside += 1;
+                    continue;
+                }
+                Verdict::FacesAway => {
+                    stats.meshlets_away += 1;
+                    continue;
+                }
+            };
+            let entry = Entry {
+                meshlet: number,
+                actor,
+                first_row: visible.first_row,
+                end_row: visible.end_row,
+                nearness: visible.nearness,
+            };
+            if !entry.touches(rows) || after.is_some_and(|after| entry.place() <= after) {
+                continue;
             }
-            Verdict::OutsideView => stats.meshlets_outside += 1,
-            Verdict::FacesAway => stats.meshlets_away += 1,
+            if let Some(slot) = entries.get_mut(count) {
+                *slot = entry;
+                count += 1;
+            } else {
+                if all {
+                    sort(entries);
+                    all = false;
+                }
+                displace_last(entries, entry);
+            }
         }
     }
     let list = entries.get_mut(..count).unwrap_or_default();
-    let by_actor = !actors.all_fit();
-    sort(list, |entry| {
-        let group = if by_actor { u32::from(entry.actor) } else { 0 };
-        group << 16 | u32::from(u16::MAX - entry.nearness)
-    });
-    list
+    if all {
+        sort(list);
+    }
+    let last = if all {
+        None
+    } else {
+        list.last().map(Entry::place)
+    };
+    List {
+        entries: list,
+        last,
+    }
 }
 
-/// Shell's sort with Ciura's gaps: small code, no recursion. Entries with equal
-/// keys end in an order that depends on nothing but the list.
-fn sort(list: &mut [Entry], key: impl Fn(&Entry) -> u32) {
+/// Puts an entry into a full sorted list at its place; the last one falls out.
+fn displace_last(list: &mut [Entry], entry: Entry) {
+    let at = list.partition_point(|held| held.place() < entry.place());
+    let Some(rest) = list.get_mut(at..) else {
+        return;
+    };
+    // Each takes over what stood before it.
+    let mut carried = entry;
+    for held in rest {
+        core::mem::swap(held, &mut carried);
+    }
+}
+
+/// Shell's sort with Ciura's gaps: small code, no recursion.
+fn sort(list: &mut [Entry]) {
     for gap in [701, 301, 132, 57, 23, 10, 4, 1] {
         for start in gap..list.len() {
             let mut at = start;
@@ -107,7 +139,7 @@ fn sort(list: &mut [Entry], key: impl Fn(&Entry) -> u32) {
                 let (Some(a), Some(b)) = (list.get(before), list.get(at)) else {
                     break;
                 };
-                if key(a) <= key(b) {
+                if a.place() <= b.place() {
                     break;
                 }
                 list.swap(before, at);

@@ -2,7 +2,7 @@
 
 use super::{DepthMap, Lens, ModelLights, ROW_FRACTION, ViewFrame};
 use crate::math::{MAX_SCREEN, Rotation, SUBPX_BITS};
-use crate::scene::{Actor, Material, Mesh, Placement, Scene};
+use crate::scene::{Actor, Cull, Material, Mesh, Placement, Scene, Shading};
 
 /// The eye as an actor's grid sees it.
 #[derive(Clone, Copy, Debug)]
@@ -64,6 +64,44 @@ pub struct ActorView {
 }
 
 impl ActorView {
+    /// All zero, so that working memory starts as zeros: no actor's view.
+    pub const ZERO: Self = Self {
+        rows: [[0; 3]; 3],
+        constants: [0; 3],
+        row_lengths: [0; 3],
+        side_lengths: [0; 2],
+        near: 0,
+        far: 0,
+        lens: Lens {
+            mantissa: 0,
+            exponent: 0,
+        },
+        perspective: false,
+        parallel_shift: 0,
+        depth: DepthMap::Perspective {
+            mantissa: 0,
+            shift: 0,
+        },
+        eye: EyeInGrid::Point([0; 3]),
+        lights: ModelLights::NONE,
+        material: Material {
+            shading: Shading::Flat,
+            cull: Cull::Back,
+            shade: 0,
+            ambient: 0,
+            diffuse: 0,
+        },
+        mesh: Mesh {
+            first_meshlet: 0,
+            meshlets: 0,
+            radius: 0,
+            face_normals: false,
+        },
+        middle: [0; 2],
+        guard_shift: 0,
+        parallel_guard: 0,
+    };
+
     /// Brings one actor, placed at `placement`, before the camera.
     pub fn new(frame: &ViewFrame, scene: &Scene<'_>, actor: &Actor, placement: &Placement) -> Self {
         let mesh = scene.mesh(actor.mesh);
@@ -230,11 +268,13 @@ fn eye_in_grid(
 }
 
 /// `a * v / 2^31` for `|v| < 2^48` and `a < 2^31`, rounded down.
+#[inline(never)]
 fn scale_q31(a: i64, v: i64) -> i64 {
     let (high, low) = (v >> 16, v & 0xffff);
     (a * high + ((a * low) >> 16)) >> 15
 }
 
+#[inline(never)]
 fn shift(v: i64, by: i32) -> i64 {
     if by >= 0 {
         v.saturating_mul(1i64 << by.min(62))
@@ -243,6 +283,7 @@ fn shift(v: i64, by: i32) -> i64 {
     }
 }
 
+#[inline(never)]
 fn shift_round(v: i64, by: i32) -> i64 {
     if by >= 0 {
         shift(v, by)

@@ -18,6 +18,13 @@ pub struct ModelLights {
 const FULL: u32 = 255 << 6;
 
 impl ModelLights {
+    /// Darkness.
+    pub const NONE: Self = Self {
+        ambient: 0,
+        lights: [[0; 3]; LIGHTS],
+        count: 0,
+    };
+
     /// The scene's lights as an actor with `rotation` (model to world) and
     /// `material` meets them.
     pub fn new(scene: &Scene<'_>, material: &Material, rotation: &Rotation) -> Self {
