@@ -13,6 +13,14 @@ use fixel_runner::{Job, Memory, Platform, measure};
 /// The largest picture in one band.
 const PIXELS: usize = 320 * 240;
 
+/// The renderer's smallest working memory, if built for that: lists overflow,
+/// next to nothing is kept, and the picture shall be the same.
+#[cfg(feature = "small")]
+type HostMemory = Memory<PIXELS, 8, 1, 1>;
+/// What the firmware has.
+#[cfg(not(feature = "small"))]
+type HostMemory = Memory<PIXELS>;
+
 /// The host's clock and streams.
 struct Host {
     start: Instant,
@@ -76,7 +84,7 @@ fn run() -> Result<(), String> {
         picture,
         written: Ok(()),
     };
-    let mut memory = Box::new(Memory::<PIXELS>::new());
+    let mut memory = Box::new(HostMemory::new());
     measure(&mut host, blob, job, &mut memory).map_err(|error| match error {
         EngineError::Scene(error) => format!("{path}: {error}"),
         EngineError::Memory => error.message().to_owned(),

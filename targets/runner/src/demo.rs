@@ -48,7 +48,7 @@ pub fn draw(
     let buffers = Buffers {
         index: &mut memory.index,
         depth: &mut memory.depth,
-        scratch: &mut memory.scratch,
+        work: memory.scratch.workspace(),
         colours: &mut memory.colours,
     };
     engine::render(&scene, frame, BAND_ROWS, buffers, |band, colours| {

@@ -5,6 +5,7 @@ use core::convert::Infallible;
 
 use fixel::frame::BandRows;
 use fixel::palette::{Palette, Rgb565Table};
+use fixel::render::Workspace;
 use fixel::{Band, Display, Scene, SceneError};
 
 /// Why a frame could not be rendered.
@@ -26,10 +27,16 @@ impl EngineError {
     }
 }
 
-/// The renderer's working memory: 64 listed meshlets, 10 kept from band to band,
-/// 4 actors. The measuring and the demo firmware use the same, so that speed
-/// and RAM belong together.
-pub type Scratch = fixel::Scratch<64, 10, 4>;
+/// Meshlets that are listed at once, unless a target says otherwise. The
+/// measuring and the demo firmware use the same, so that speed and RAM belong
+/// together.
+pub const MESHLETS: usize = 64;
+/// Meshlets that are kept from band to band.
+pub const SLOTS: usize = 10;
+/// Actors whose matrices are kept.
+pub const ACTORS: usize = 4;
+/// The renderer's working memory of that size.
+pub type Scratch = fixel::Scratch<MESHLETS, SLOTS, ACTORS>;
 
 /// Where bands are drawn.
 #[derive(Debug)]
@@ -39,7 +46,7 @@ pub struct Buffers<'a> {
     /// Depths of a band.
     pub depth: &'a mut [u16],
     /// The renderer's working memory.
-    pub scratch: &'a mut Scratch,
+    pub work: Workspace<'a>,
     /// From an index to a panel's colour.
     pub colours: &'a mut Rgb565Table,
 }
@@ -76,7 +83,7 @@ pub fn render(
     scene: &Scene<'_>,
     frame: u32,
     band_rows: usize,
-    buffers: Buffers<'_>,
+    mut buffers: Buffers<'_>,
     take: impl FnMut(BandRows<'_>, &Rgb565Table),
 ) -> Result<(), EngineError> {
     let width = scene.width();
@@ -90,7 +97,6 @@ pub fn render(
         take,
     };
     let pose = scene.pose(frame);
-    let work = &mut buffers.scratch.workspace();
-    let Ok(_) = fixel::render_frame(scene, &pose, work, &mut band, &mut sink);
+    let Ok(_) = fixel::render_frame(scene, &pose, &mut buffers.work, &mut band, &mut sink);
     Ok(())
 }

@@ -4,10 +4,11 @@
 use core::hint::black_box;
 use core::sync::atomic::{Ordering, compiler_fence};
 
+use fixel::Scratch;
 use fixel::frame::BandRows;
 use fixel::palette::Rgb565Table;
 
-use crate::engine::{self, Buffers, EngineError, Scratch};
+use crate::engine::{self, Buffers, EngineError};
 use crate::hash::Fnv64;
 use crate::line::Line;
 
@@ -38,17 +39,24 @@ pub struct Job {
 }
 
 /// Everything that frames need, for pictures of at most `PIXELS` pixels in one
-/// band.
+/// band, and how large the renderer's working memory is.
 #[derive(Debug)]
-pub struct Memory<const PIXELS: usize> {
+pub struct Memory<
+    const PIXELS: usize,
+    const MESHLETS: usize = { engine::MESHLETS },
+    const SLOTS: usize = { engine::SLOTS },
+    const ACTORS: usize = { engine::ACTORS },
+> {
     index: [u8; PIXELS],
     depth: [u16; PIXELS],
     panel: [u16; PIXELS],
-    scratch: Scratch,
+    scratch: Scratch<MESHLETS, SLOTS, ACTORS>,
     colours: Rgb565Table,
 }
 
-impl<const PIXELS: usize> Memory<PIXELS> {
+impl<const PIXELS: usize, const MESHLETS: usize, const SLOTS: usize, const ACTORS: usize>
+    Memory<PIXELS, MESHLETS, SLOTS, ACTORS>
+{
     /// Ready for the first frame.
     #[allow(clippy::new_without_default)]
     pub const fn new() -> Self {
@@ -133,11 +141,17 @@ impl Digest {
 /// `height`, `covered` pixels, `count` (instructions for the frame up to the
 /// bytes that a panel takes; hashing is not in it), and the hashes `index`,
 /// `depth` and `panel`.
-pub fn measure<P: Platform, const PIXELS: usize>(
+pub fn measure<
+    P: Platform,
+    const PIXELS: usize,
+    const MESHLETS: usize,
+    const SLOTS: usize,
+    const ACTORS: usize,
+>(
     platform: &mut P,
     blob: &[u8],
     job: Job,
-    memory: &mut Memory<PIXELS>,
+    memory: &mut Memory<PIXELS, MESHLETS, SLOTS, ACTORS>,
 ) -> Result<(), EngineError> {
     let scene = engine::parse(blob)?;
     for frame in job.from..job.to {
@@ -147,7 +161,7 @@ pub fn measure<P: Platform, const PIXELS: usize>(
         let buffers = Buffers {
             index: &mut memory.index,
             depth: &mut memory.depth,
-            scratch: &mut memory.scratch,
+            work: memory.scratch.workspace(),
             colours: &mut memory.colours,
         };
         watch.start(platform);

@@ -1,7 +1,7 @@
 //! The core's pictures held against the f64 reference, on every scene.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use fixel_bake::BakeError;
 use fixel_reference::Report;
@@ -35,7 +35,7 @@ struct Compared {
 /// bits a channel. Each scene is held to limits.
 pub fn run(tally: &mut Tally) -> Result<Value> {
     let files = files()?;
-    let compared = parallel::map(&files, compare);
+    let compared = parallel::map(&files, |file| compare(file));
     let mut all = Map::new();
     for (file, compared) in files.iter().zip(compared) {
         let name = file.file_stem().unwrap_or_default().to_string_lossy();
@@ -72,7 +72,7 @@ fn files() -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-fn compare(file: &PathBuf) -> Result<Compared> {
+fn compare(file: &Path) -> Result<Compared> {
     let mut scene = fixel_scene::load(file).map_err(|error| error.to_string())?;
     let in_file = |problem: Problem| match problem {
         Problem::Missing(text) => Problem::Missing(format!("{}: {text}", file.display())),

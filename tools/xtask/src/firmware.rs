@@ -13,7 +13,8 @@ use crate::{child, elf, paths, scene};
 pub enum HostProfile {
     /// As firmware is.
     Release,
-    /// The same, and arithmetic that overflows stops it.
+    /// Arithmetic that overflows stops it, and the renderer has the smallest
+    /// working memory.
     Checked,
 }
 
@@ -77,6 +78,9 @@ pub fn host(profile: HostProfile) -> Result<PathBuf> {
         .arg("--target-dir")
         .arg(&target_folder)
         .current_dir(paths::root());
+    if profile == HostProfile::Checked {
+        command.args(["--features", "small"]);
+    }
     child::visibly(&mut command)?;
     let name = format!("measure{}", std::env::consts::EXE_SUFFIX);
     Ok(target_folder.join(folder).join(name))
