@@ -29,7 +29,7 @@ impl Polygon {
 }
 
 /// The planes in the order they are taken.
-const PLANES: [u16; 6] = [
+const PLANES: [u8; 6] = [
     outside::NEAR,
     outside::FAR,
     outside::LEFT,
@@ -80,7 +80,7 @@ pub fn clip(view: &ActorView, triangle: [ClipVertex; 3]) -> Polygon {
 }
 
 /// How far inside a plane a vertex is, in units of that plane.
-fn signed_distance(view: &ActorView, plane: u16, v: &ClipVertex) -> i64 {
+fn signed_distance(view: &ActorView, plane: u8, v: &ClipVertex) -> i64 {
     let (x, y, distance) = (i64::from(v.x), i64::from(v.y), i64::from(v.distance));
     // The guard is linear in distance only in front of the eye, where it is
     // used: the near plane comes first.
@@ -96,7 +96,7 @@ fn signed_distance(view: &ActorView, plane: u16, v: &ClipVertex) -> i64 {
 }
 
 /// Where an edge crosses a plane.
-fn crossing(view: &ActorView, plane: u16, inner: &ClipVertex, outer: &ClipVertex) -> ClipVertex {
+fn crossing(view: &ActorView, plane: u8, inner: &ClipVertex, outer: &ClipVertex) -> ClipVertex {
     let (from, to) = (
         signed_distance(view, plane, inner),
         signed_distance(view, plane, outer),

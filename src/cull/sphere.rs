@@ -50,7 +50,7 @@ pub(super) fn extent(
 /// A clip coordinate in sub-pixels from the middle, to within 2.
 fn screen(view: &ActorView, v: i64, distance: i32) -> i64 {
     if !view.perspective {
-        return i64::from(view.parallel(v.clamp(i32::MIN.into(), i32::MAX.into()) as i32));
+        return i64::from(view.parallel(v.clamp(i32::MIN.into(), i32::MAX.into()) as i32)) >> 6;
     }
     let recip = reciprocal(distance as u32);
     let v = v.clamp(i32::MIN.into(), i32::MAX.into());

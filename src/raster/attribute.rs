@@ -1,6 +1,6 @@
 //! An attribute over a triangle.
 
-use super::gradient::Gradient;
+use super::gradient::{Gradient, UNROUNDED_BITS};
 use crate::math::{HALF_PX, SUBPX_BITS};
 
 /// An attribute at the centre of one pixel, and how it changes. 16 fractional
@@ -26,6 +26,25 @@ impl Attribute {
             .wrapping_add_signed(own)
             .wrapping_add_signed(gradient.y.wrapping_mul(rows));
         Self { at_row, gradient }
+    }
+
+    /// The same from a vertex as it was before rounding.
+    pub(super) fn unrounded(
+        value: u32,
+        gradient: Gradient,
+        [x, y]: [i32; 2],
+        [column, row]: [i32; 2],
+    ) -> Self {
+        let to_centre = |pixel: i32, v: i32| {
+            (i64::from(pixel) << UNROUNDED_BITS) + (1 << (UNROUNDED_BITS - 1)) - i64::from(v)
+        };
+        let change = i64::from(gradient.x) * to_centre(column, x)
+            + i64::from(gradient.y) * to_centre(row, y);
+        let change = (change >> UNROUNDED_BITS) as i32;
+        Self {
+            at_row: value.wrapping_add(1 << 15).wrapping_add_signed(change),
+            gradient,
+        }
     }
 
     /// The value `columns` to the right.

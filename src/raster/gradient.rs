@@ -1,7 +1,7 @@
 //! How an attribute changes from pixel to pixel.
 
 use crate::math::{Reciprocal, SUBPX_BITS, mul_high, reciprocal};
-use crate::vertex::ScreenVertex;
+use crate::vertex::{REST_BITS, ScreenVertex};
 
 /// One over a triangle's doubled area, and its edges from the first vertex.
 #[derive(Clone, Copy, Debug)]
@@ -11,6 +11,8 @@ pub(super) struct Plane {
     scale: i32,
     d1: [i32; 2],
     d2: [i32; 2],
+    /// Fractional bits of the edges.
+    bits: i32,
     /// No edge is longer than this, sub-pixels, to within a factor of two.
     size: i32,
 }
@@ -22,6 +24,18 @@ pub(super) struct Gradient {
     pub y: i32,
 }
 
+/// Fractional bits of a place before rounding.
+pub(super) const UNROUNDED_BITS: u32 = SUBPX_BITS + REST_BITS;
+
+/// A vertex's place before rounding.
+fn unrounded(v: &ScreenVertex) -> [i32; 2] {
+    let [x, y] = v.rest.map(i32::from);
+    [
+        (v.x.to_bits() << REST_BITS) + x,
+        (v.y.to_bits() << REST_BITS) + y,
+    ]
+}
+
 /// Differences below this multiply to 30 bits and a sign, and add to 31.
 const SMALL: i32 = 1 << 15;
 
@@ -30,9 +44,30 @@ impl Plane {
     /// sign is that of the winding).
     #[inline(always)]
     pub(super) fn new([a, b, c]: [&ScreenVertex; 3], area: i64) -> Self {
-        let (ax, ay) = (a.x.to_bits(), a.y.to_bits());
-        let mut d1 = [b.x.to_bits() - ax, b.y.to_bits() - ay];
-        let mut d2 = [c.x.to_bits() - ax, c.y.to_bits() - ay];
+        Self::of(
+            [a, b, c].map(|v| [v.x.to_bits(), v.y.to_bits()]),
+            area,
+            SUBPX_BITS as i32,
+        )
+    }
+
+    /// For the vertices as they were before rounding, and the first one's place;
+    /// `None` if the doubled area differs in sign from `area`, as it may in a
+    /// sliver.
+    pub(super) fn unrounded(sorted: [&ScreenVertex; 3], area: i64) -> Option<(Self, [i32; 2])> {
+        let places = sorted.map(unrounded);
+        let [a, [bx, by], [cx, cy]] = places;
+        let [ax, ay] = a;
+        let side = |p: i32, q: i32| i64::from(p) - i64::from(q);
+        let exact = side(bx, ax) * side(cy, ay) - side(cx, ax) * side(by, ay);
+        let same_side = (exact > 0 && area > 0) || (exact < 0 && area < 0);
+        same_side.then(|| (Self::of(places, exact, UNROUNDED_BITS as i32), a))
+    }
+
+    #[inline(always)]
+    fn of([[ax, ay], [bx, by], [cx, cy]]: [[i32; 2]; 3], area: i64, bits: i32) -> Self {
+        let mut d1 = [bx - ax, by - ay];
+        let mut d2 = [cx - ax, cy - ay];
         if area < 0 {
             // Both numerators change sign with the area.
             d1 = d1.map(i32::wrapping_neg);
@@ -46,6 +81,7 @@ impl Plane {
             scale,
             d1,
             d2,
+            bits,
             size,
         }
     }
@@ -74,10 +110,9 @@ impl Plane {
     /// has at most 31 bits.
     #[inline(always)]
     fn divide_small(&self, n: i32, fraction: i32) -> Option<i32> {
-        // n / area = high * 2^(32 + shift - 62); a pixel is 2^SUBPX_BITS
-        // sub-pixels, and the result has 16 fractional bits.
+        // n / area = high * 2^(32 + shift - 62); a pixel is 2^bits units, and the result has 16 fractional bits.
         let high = mul_high(n, self.recip.mantissa);
-        let up = self.recip.shift as i32 - 30 + SUBPX_BITS as i32 + 16 - fraction;
+        let up = self.recip.shift as i32 - 30 + self.bits + 16 - fraction;
         if up <= 0 {
             return Some(high >> up.wrapping_neg().min(31));
         }
@@ -93,9 +128,8 @@ impl Plane {
         let down = (33 - n.unsigned_abs().leading_zeros() as i32).max(0);
         let product = (n >> down) * i64::from(self.recip.mantissa);
         // n / area = product * 2^(down + shift - scale - 62); a pixel is
-        // 2^SUBPX_BITS sub-pixels, and the result has 16 fractional bits.
-        let up =
-            down + self.recip.shift as i32 - self.scale - 62 + SUBPX_BITS as i32 + (16 - fraction);
+        // 2^bits units, and the result has 16 fractional bits.
+        let up = down + self.recip.shift as i32 - self.scale - 62 + self.bits + (16 - fraction);
         if up >= 0 {
             let most = i64::from(i32::MAX) >> up.min(31);
             return (product.abs() <= most).then(|| (product << up.min(31)) as i32);
@@ -109,6 +143,14 @@ impl Plane {
 }
 
 impl Gradient {
+    /// Whether a vertex that is off by half a sub-pixel makes the attribute off
+    /// by an eighth of a unit or more.
+    #[inline(always)]
+    pub(super) fn is_steep(&self) -> bool {
+        const STEEP: u32 = 1 << (16 + SUBPX_BITS - 2);
+        self.x.unsigned_abs() >= STEEP || self.y.unsigned_abs() >= STEEP
+    }
+
     /// What stands in for a gradient that exceeds the format: along the
     /// triangle's `height`, from its top vertex to its bottom one, nothing
     /// across. A sliver is not wide enough for the difference to be seen.

@@ -94,7 +94,7 @@ fn fill_triangle(
     let (sorted, area) = sort(triangle, area);
     match fill {
         Fill::Flat(index) => {
-            let z = |plane: &Plane, row| Attributes::depth(plane, sorted, row);
+            let z = |plane: &Plane, row| Attributes::depth(plane, sorted, area, row);
             scan(
                 target,
                 sorted,
@@ -107,7 +107,7 @@ fn fill_triangle(
             );
         }
         Fill::Gouraud(shades) => {
-            let both = |plane: &Plane, row| Attributes::depth_and_level(plane, sorted, row);
+            let both = |plane: &Plane, row| Attributes::depth_and_level(plane, sorted, area, row);
             scan(
                 target,
                 sorted,
@@ -149,8 +149,12 @@ struct Attributes {
 
 impl Attributes {
     #[inline(always)]
-    fn depth(plane: &Plane, sorted: [&ScreenVertex; 3], row: i32) -> Self {
-        let z = attribute(plane, sorted, sorted.map(|v| v.z.to_bits() as i32), 4, row);
+    fn depth(plane: &Plane, sorted: [&ScreenVertex; 3], area: i64, row: i32) -> Self {
+        let values = sorted.map(|v| v.z.to_bits() as i32);
+        let mut z = attribute(plane, sorted, values, 4, row);
+        if z.gradient.is_steep() {
+            z = steep_depth(sorted, values, area, row).unwrap_or(z);
+        }
         Self {
             z,
             level: Attribute::default(),
@@ -158,12 +162,12 @@ impl Attributes {
     }
 
     #[inline(always)]
-    fn depth_and_level(plane: &Plane, sorted: [&ScreenVertex; 3], row: i32) -> Self {
+    fn depth_and_level(plane: &Plane, sorted: [&ScreenVertex; 3], area: i64, row: i32) -> Self {
         let levels = sorted.map(|v| i32::from(v.level.to_bits()));
         let level = attribute(plane, sorted, levels, 6, row);
         Self {
             level,
-            ..Self::depth(plane, sorted, row)
+            ..Self::depth(plane, sorted, area, row)
         }
     }
 
@@ -172,6 +176,38 @@ impl Attributes {
         self.z.advance();
         self.level.advance();
     }
+}
+
+/// The depth of a face so steep that the rounding of its vertices would show: its
+/// plane goes through the vertices as they were. `None` where that might leave
+/// the range of depths.
+#[cold]
+#[inline(never)]
+fn steep_depth(
+    sorted: [&ScreenVertex; 3],
+    values: [i32; 3],
+    area: i64,
+    row: i32,
+) -> Option<Attribute> {
+    // A gradient of 2^15 units a pixel over half a sub-pixel: 4 units.
+    const ROOM: i32 = 8 << 4;
+    if values
+        .iter()
+        .any(|z| !(ROOM..=(65535 << 4) - ROOM).contains(z))
+    {
+        return None;
+    }
+    let (plane, place) = Plane::unrounded(sorted, area)?;
+    let [a, b, c] = values;
+    let gradient = plane.gradient(b - a, c - a, 4)?;
+    let [top, ..] = sorted;
+    let column = top.x.to_bits() >> SUBPX_BITS;
+    Some(Attribute::unrounded(
+        (a as u32) << 12,
+        gradient,
+        place,
+        [column, row],
+    ))
 }
 
 /// An attribute with `fraction` fractional bits at the three vertices, on `row`.

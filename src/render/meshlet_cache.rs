@@ -24,6 +24,7 @@ impl Slot {
             z: FineDepth::ZERO,
             level: FineLevel::ZERO,
             outside: 0,
+            rest: [0; 2],
         }; MESHLET_VERTICES],
     };
 }

@@ -101,7 +101,7 @@ impl<'a> Scene<'a> {
         read(self.meshes, usize::from(index)).unwrap_or(Mesh {
             first_meshlet: 0,
             meshlets: 0,
-            radius: 1 << 12,
+            radius: super::layout::LEAST_RADIUS,
             face_normals: false,
         })
     }

@@ -38,6 +38,9 @@ pub mod layout {
     /// Half of a mesh's grid: vertices are within this many steps of its
     /// centre along each axis.
     pub const GRID_HALF: i32 = 1 << 21;
+    /// A mesh's stated radius is at least this, however small the mesh: what is
+    /// smaller would need more bits in a matrix than there are.
+    pub const LEAST_RADIUS: u32 = 1 << 20;
     /// Largest shift of a meshlet's vertices: 16 bits and this span the grid.
     pub const MOST_SHIFT: u8 = 7;
 }

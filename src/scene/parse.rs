@@ -211,7 +211,11 @@ impl<'a> Scene<'a> {
             let last = self.meshlets.len() as i64 - count;
             range(Section::Meshes, i, Field::FirstMeshlet, first, 0, last)?;
             let radius = mesh.radius.into();
-            range(Section::Meshes, i, Field::Radius, radius, 1 << 12, 1 << 22)?;
+            let (least, most) = (
+                layout::LEAST_RADIUS.into(),
+                i64::from(layout::GRID_HALF) * 2,
+            );
+            range(Section::Meshes, i, Field::Radius, radius, least, most)?;
             let span = first as usize..(first + count) as usize;
             for (j, words) in self
                 .meshlets

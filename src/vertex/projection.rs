@@ -1,7 +1,7 @@
 //! Clip coordinates to the screen.
 
 use super::ClipVertex;
-use crate::math::{FineDepth, FineLevel, SUBPX_BITS, SubPx, mul_high, reciprocal};
+use crate::math::{FineDepth, FineLevel, MAX_SCREEN, SubPx, mul_high, reciprocal};
 use crate::view::ActorView;
 
 /// A vertex on the screen. Not meaningful in x, y and z if `outside` says that
@@ -17,29 +17,32 @@ pub struct ScreenVertex {
     /// Light level.
     pub level: FineLevel,
     /// Planes that it is beyond: bits of [`outside`].
-    pub outside: u16,
+    pub outside: u8,
+    /// What rounding took from x and y, in 1/64 of a sub-pixel: -32..=31. Only
+    /// the depth of steep faces needs it.
+    pub rest: [i8; 2],
 }
 
 /// Outcode bits: a vertex with any of them set cannot be projected as it is
 /// (near, far) or would leave the range of screen positions (the others).
 pub mod outside {
     /// Nearer than the near plane.
-    pub const NEAR: u16 = 1;
+    pub const NEAR: u8 = 1;
     /// Farther than the far plane.
-    pub const FAR: u16 = 2;
+    pub const FAR: u8 = 2;
     /// Far to the left.
-    pub const LEFT: u16 = 4;
+    pub const LEFT: u8 = 4;
     /// Far to the right.
-    pub const RIGHT: u16 = 8;
+    pub const RIGHT: u8 = 8;
     /// Far above.
-    pub const ABOVE: u16 = 16;
+    pub const ABOVE: u8 = 16;
     /// Far below.
-    pub const BELOW: u16 = 32;
+    pub const BELOW: u8 = 32;
 }
 
 /// The outcode of clip coordinates.
 #[inline(always)]
-pub(crate) fn outcode(view: &ActorView, [x, y, distance]: [i32; 3]) -> u16 {
+pub(crate) fn outcode(view: &ActorView, [x, y, distance]: [i32; 3]) -> u8 {
     let mut code = 0;
     if distance < view.near {
         code |= outside::NEAR;
@@ -94,26 +97,37 @@ pub fn project(view: &ActorView, vertex: &ClipVertex) -> ScreenVertex {
             ..ScreenVertex::default()
         };
     }
-    let [mx, my] = view.middle;
     let recip = reciprocal(vertex.distance as u32);
     let z = view.depth.depth(vertex.distance, recip);
     let (x, y) = if view.perspective {
         // (v << up) * mantissa / 2^32 is v / distance * 2^(29 - guard_shift),
-        // and the lens's exponent is 21 - guard_shift.
+        // and a 64th of a sub-pixel is 2^-(6 + lens's exponent) of it, which
+        // is MAX_SCREEN's bits less guard_shift.
         let up = (recip.shift as i32 - view.guard_shift - 1).max(0) as u32;
-        let divide = |v: i32| {
-            (mul_high(v << up.min(31), recip.mantissa) + (1 << (17 - SUBPX_BITS)))
-                >> (18 - SUBPX_BITS)
-        };
+        let divide = |v: i32| mul_high(v << up.min(31), recip.mantissa);
         (divide(vertex.x), divide(vertex.y))
     } else {
         (view.parallel(vertex.x), view.parallel(vertex.y))
     };
+    let ([mx, my], (x, rest_x), (y, rest_y)) = (view.middle, split(x), split(y));
     ScreenVertex {
         x: SubPx::from_bits(x + mx),
         y: SubPx::from_bits(y + my),
         z,
         level,
         outside,
+        rest: [rest_x, rest_y],
     }
+}
+
+/// Bits of [`ScreenVertex::rest`].
+pub(crate) const REST_BITS: u32 = 6;
+
+const _: () = assert!(30 - 1 - (MAX_SCREEN.ilog2()) == REST_BITS);
+
+/// The nearest sub-pixel, and what is left.
+#[inline(always)]
+fn split(v: i32) -> (i32, i8) {
+    let nearest = (v + (1 << (REST_BITS - 1))) >> REST_BITS;
+    (nearest, (v - (nearest << REST_BITS)) as i8)
 }

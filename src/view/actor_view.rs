@@ -15,19 +15,19 @@ pub enum EyeInGrid {
 
 /// Grid points of one actor go through this to clip space.
 ///
-/// A clip coordinate is `(row . q + constant) >> 14`, for rows x, y (down) and
+/// A clip coordinate is `(row . q + constant) >> ROW_FRACTION`, for rows x, y (down) and
 /// distance. All three are in one unit, chosen for the actor so that none
 /// exceeds `2^limit`; x and y are also scaled by the lens's mantissa. So the
 /// screen position is `x / distance * 2^lens.exponent` sub-pixels from the
 /// middle (perspective) or `x >> parallel_shift` (parallel).
 #[derive(Clone, Copy, Debug)]
 pub struct ActorView {
-    /// Coefficients, 14 fractional bits.
+    /// Coefficients, [`ROW_FRACTION`] fractional bits.
     pub rows: [[i32; 3]; 3],
-    /// Values at the grid's centre, 14 fractional bits.
+    /// Values at the grid's centre, [`ROW_FRACTION`] fractional bits.
     pub constants: [i64; 3],
     /// For each row, the length of its linear part: a sphere of radius r grid
-    /// steps changes the coordinate by at most `(r * this) >> 14`.
+    /// steps changes the coordinate by at most `(r * this) >> ROW_FRACTION`.
     pub row_lengths: [i32; 3],
     /// The same for `x - k * distance` and `y - k * distance`, with k such that
     /// these are 0 at the screen's sides.
@@ -192,10 +192,10 @@ impl ActorView {
         }
     }
 
-    /// A parallel clip coordinate in raw sub-pixels from the screen's middle,
-    /// rounded to nearest.
+    /// A parallel clip coordinate in 64ths of a sub-pixel from the screen's
+    /// middle, rounded to nearest.
     pub fn parallel(&self, v: i32) -> i32 {
-        shift_round(v.into(), self.parallel_shift.wrapping_neg()) as i32
+        shift_round(v.into(), 6 - self.parallel_shift) as i32
     }
 }
 

@@ -15,8 +15,11 @@ pub use lights::{ModelLights, round_level};
 pub use meshlet_rows::MeshletRows;
 pub use view_frame::{Lens, ViewFrame};
 
-/// Fractional bits of [`ActorView`]'s rows beyond those of a clip coordinate.
-pub const ROW_FRACTION: u32 = 14;
+/// Fractional bits of [`ActorView`]'s rows beyond those of a clip coordinate: as
+/// many as leave a row's entry, times the power of two of a meshlet's vertices,
+/// within 31 bits (a vertex has 15 and a sign, a clip coordinate 28). With 14, a
+/// cube's edges were off by 10^-4 pixels.
+pub const ROW_FRACTION: u32 = 17;
 
 #[cfg(test)]
 mod tests;

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use fixel::scene::layout::LEAST_RADIUS;
 use fixel::scene::{Mesh as MeshRecord, Meshlet};
 use fixel_scene::Mesh;
 use glam::{DVec3, IVec3};
@@ -65,7 +66,7 @@ impl Parts {
         shape.snapped = snap(&shape.positions, &shape.triangles, &grid, &coarsest);
 
         let first_meshlet = self.meshlets.len() as u32;
-        let mut radius: f64 = 4096.0;
+        let mut radius = f64::from(LEAST_RADIUS);
         for (cluster, shifts) in clusters.iter().zip(shifts) {
             self.add_meshlet(&shape, cluster, shifts)?;
             let source = |t: &usize| Source {
