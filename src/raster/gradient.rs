@@ -1,7 +1,7 @@
 //! How an attribute changes from pixel to pixel.
 
 use crate::math::{Reciprocal, SUBPX_BITS, mul_high, reciprocal};
-use crate::vertex::{REST_BITS, ScreenVertex};
+use crate::vertex::{Rest, ScreenVertex};
 
 /// One over a triangle's doubled area, and its edges from the first vertex.
 #[derive(Clone, Copy, Debug)]
@@ -25,14 +25,14 @@ pub(super) struct Gradient {
 }
 
 /// Fractional bits of a place before rounding.
-pub(super) const UNROUNDED_BITS: u32 = SUBPX_BITS + REST_BITS;
+pub(super) const UNROUNDED_BITS: u32 = SUBPX_BITS + Rest::BITS;
 
 /// A vertex's place before rounding.
 fn unrounded(v: &ScreenVertex) -> [i32; 2] {
-    let [x, y] = v.rest.map(i32::from);
+    let [x, y] = v.rest.parts();
     [
-        (v.x.to_bits() << REST_BITS) + x,
-        (v.y.to_bits() << REST_BITS) + y,
+        (v.x.to_bits() << Rest::BITS) + x,
+        (v.y.to_bits() << Rest::BITS) + y,
     ]
 }
 

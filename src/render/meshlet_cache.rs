@@ -2,7 +2,7 @@
 
 use crate::math::{FineDepth, FineLevel, SubPx};
 use crate::scene::layout::MESHLET_VERTICES;
-use crate::vertex::{ScreenVertex, TransformedMeshlet};
+use crate::vertex::{Rest, ScreenVertex, TransformedMeshlet};
 
 /// Room for one transformed meshlet.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +24,7 @@ impl Slot {
             z: FineDepth::ZERO,
             level: FineLevel::ZERO,
             outside: 0,
-            rest: [0; 2],
+            rest: Rest::NONE,
         }; MESHLET_VERTICES],
     };
 }

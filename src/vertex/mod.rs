@@ -8,8 +8,8 @@ mod projection;
 
 pub use clip_coordinates::ClipVertex;
 pub use meshlet::{TransformedMeshlet, transform_meshlet, vertex};
-pub(crate) use projection::{REST_BITS, guard, outcode};
-pub use projection::{ScreenVertex, outside, project};
+pub use projection::{Rest, ScreenVertex, outside, project};
+pub(crate) use projection::{guard, outcode};
 
 #[cfg(test)]
 mod tests;

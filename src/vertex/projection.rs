@@ -18,9 +18,30 @@ pub struct ScreenVertex {
     pub level: FineLevel,
     /// Planes that it is beyond: bits of [`outside`].
     pub outside: u8,
-    /// What rounding took from x and y, in 1/64 of a sub-pixel: -32..=31. Only
-    /// the depth of steep faces needs it.
-    pub rest: [i8; 2],
+    /// What rounding took from x and y.
+    pub rest: Rest,
+}
+
+/// What rounding took from a screen position, in 1/16 of a sub-pixel, -8..=7
+/// each, in one byte. Only the depth of steep faces needs it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Rest(u8);
+
+impl Rest {
+    /// Nothing.
+    pub const NONE: Self = Self(0);
+    /// Bits of each part.
+    pub(crate) const BITS: u32 = 4;
+
+    fn new(x: i32, y: i32) -> Self {
+        Self((x & 15 | y << 4) as u8)
+    }
+
+    /// Of x and of y.
+    pub(crate) fn parts(self) -> [i32; 2] {
+        let byte = i32::from(self.0 as i8);
+        [byte << 28 >> 28, byte >> 4]
+    }
 }
 
 /// Outcode bits: a vertex with any of them set cannot be projected as it is
@@ -116,18 +137,21 @@ pub fn project(view: &ActorView, vertex: &ClipVertex) -> ScreenVertex {
         z,
         level,
         outside,
-        rest: [rest_x, rest_y],
+        rest: Rest::new(rest_x, rest_y),
     }
 }
 
-/// Bits of [`ScreenVertex::rest`].
-pub(crate) const REST_BITS: u32 = 6;
+/// Bits that a projected position has beyond a sub-pixel's.
+const EXTRA_BITS: u32 = 6;
 
-const _: () = assert!(30 - 1 - (MAX_SCREEN.ilog2()) == REST_BITS);
+const _: () = assert!(30 - 1 - (MAX_SCREEN.ilog2()) == EXTRA_BITS);
 
-/// The nearest sub-pixel, and what is left.
+/// The nearest sub-pixel, and what is left in the units of [`Rest`].
 #[inline(always)]
-fn split(v: i32) -> (i32, i8) {
-    let nearest = (v + (1 << (REST_BITS - 1))) >> REST_BITS;
-    (nearest, (v - (nearest << REST_BITS)) as i8)
+fn split(v: i32) -> (i32, i32) {
+    let nearest = (v + (1 << (EXTRA_BITS - 1))) >> EXTRA_BITS;
+    (
+        nearest,
+        (v - (nearest << EXTRA_BITS)) >> (EXTRA_BITS - Rest::BITS),
+    )
 }
