@@ -107,7 +107,8 @@ fn crossing(view: &ActorView, plane: u8, inner: &ClipVertex, outer: &ClipVertex)
     let (from, span) = (from >> down, span >> down);
     let part = |a: i32, b: i32| {
         let way = (i64::from(b) - i64::from(a)) * from;
-        (i64::from(a) + (way + span / 2).div_euclid(span)) as i32
+        let way = (way + span / 2).checked_div_euclid(span).unwrap_or(0);
+        (i64::from(a) + way) as i32
     };
     ClipVertex {
         x: part(inner.x, outer.x),
@@ -120,11 +121,11 @@ fn crossing(view: &ActorView, plane: u8, inner: &ClipVertex, outer: &ClipVertex)
 /// A vertex on a plane may have rounded to its outer side: taken back.
 fn held(view: &ActorView, v: &ClipVertex) -> ClipVertex {
     let mut v = *v;
-    v.distance = v.distance.clamp(view.near, view.far);
+    v.distance = v.distance.max(view.near).min(view.far);
     if outcode(view, [v.x, v.y, v.distance]) != 0 {
         let guard = guard(view, v.distance);
-        v.x = v.x.clamp(-guard, guard);
-        v.y = v.y.clamp(-guard, guard);
+        v.x = v.x.max(-guard).min(guard);
+        v.y = v.y.max(-guard).min(guard);
     }
     v
 }

@@ -28,8 +28,8 @@ pub(super) fn extent(
         return None;
     }
 
-    let nearest = (distance - reach_d).clamp(near, i64::from(i32::MAX)) as i32;
-    let farthest = (distance + reach_d).clamp(near, i64::from(i32::MAX)) as i32;
+    let nearest = (distance - reach_d).max(near).min(i32::MAX.into()) as i32;
+    let farthest = (distance + reach_d).max(near).min(i32::MAX.into()) as i32;
     // The top is highest at the near end if it is above the middle, and so on.
     let (top, bottom) = (y - reach_y, y + reach_y);
     let top = screen(view, top, if top < 0 { nearest } else { farthest }) + half_height;

@@ -242,7 +242,7 @@ fn scan(
     let [top, middle, bottom] = sorted;
     let width = i32::from(target.width);
     let column = top.x.to_bits() >> SUBPX_BITS;
-    let bend = first_centre(middle.y.to_bits()).clamp(first, end);
+    let bend = first_centre(middle.y.to_bits()).max(first).min(end);
     let mut start = (first - i32::from(target.top)) * width;
     let mut attributes: Option<Attributes> = None;
     let mut long = Edge::new(top, bottom, first);

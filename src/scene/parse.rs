@@ -50,7 +50,7 @@ impl<'a> Scene<'a> {
             });
         }
         let header = Header::from_words(first);
-        if header.length as usize != bytes.len() || bytes.len() % 4 != 0 {
+        if header.length as usize != bytes.len() || !bytes.len().is_multiple_of(4) {
             return Err(SceneError::Length {
                 stated: header.length,
                 bytes: bytes.len(),

@@ -261,7 +261,7 @@ fn eye_in_grid(
     // of the mantissa are enough to cull by.
     let divisor = i64::from(actor.step_mantissa >> 16);
     let steps = |c: i64| {
-        let quotient = (c << 14) / divisor;
+        let quotient = (c << 14).checked_div(divisor).unwrap_or(0);
         shift(quotient, 31 - 16 - 30 - 14 - actor.step_exponent).clamp(-(1 << 40), 1 << 40)
     };
     EyeInGrid::Point([steps(x - ox), steps(y - oy), steps(z - oz)])

@@ -43,8 +43,9 @@ impl DepthMap {
             }
         } else {
             let range = far - near;
-            let (mantissa, bits) = top_31_bits((ONE << 43) / range);
-            let at_eye = (far * ONE / range).min(i32::MAX as u64) as i32;
+            let (mantissa, bits) = top_31_bits((ONE << 43).checked_div(range).unwrap_or(ONE));
+            let at_eye = (far * ONE).checked_div(range).unwrap_or(ONE);
+            let at_eye = at_eye.min(i32::MAX as u64) as i32;
             // Fall a world unit: quotient * 2^(16 - 43).
             Self::Parallel {
                 at_eye,

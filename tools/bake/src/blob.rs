@@ -86,8 +86,8 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
         .materials
         .iter()
         .enumerate()
-        .map(|(i, m)| material(scene, i as u16, m));
-    let materials = materials.collect::<Result<Vec<_>, _>>()?;
+        .map(|(i, m)| material(scene, i as u16, m))
+        .collect::<Vec<_>>();
 
     let words = |records: &[u8]| records.to_vec();
     let sections: [(Vec<u8>, usize); SECTIONS] = [

@@ -77,9 +77,8 @@ pub(crate) fn tables(scene: &Scene) -> Tables {
     let mut ramps = vec![Ramp::new(background.clone())];
     for material in &scene.materials {
         let (first, last) = reachable_levels(material, scene);
-        ramps.push(Ramp::new(
-            (first..=last).map(|l| shade(material, l)).collect(),
-        ));
+        let colour = |level| shade(material, &scene.ambient, level);
+        ramps.push(Ramp::new((first..=last).map(colour).collect()));
     }
 
     let palette = deal(&ramps, wanted);
@@ -94,7 +93,7 @@ pub(crate) fn tables(scene: &Scene) -> Tables {
     let row = |material: &Material| {
         let mut row = [0; 256];
         for (level, index) in row.iter_mut().enumerate() {
-            *index = nearest(shade(material, level));
+            *index = nearest(shade(material, &scene.ambient, level));
         }
         row
     };
@@ -155,22 +154,29 @@ fn background_colours(background: &Background) -> Vec<Rgb> {
     }
 }
 
-/// The level without any directional light.
-pub(crate) fn ambient_level(material: &Material, ambient: f64) -> f64 {
-    (255.0 * (material.emission + material.ambient * ambient)).clamp(0.0, 255.0)
+/// The level without any directional light: of emission and grey ambient light.
+pub(crate) fn ambient_level(material: &Material, ambient: &Rgb) -> f64 {
+    let grey = ambient.iter().sum::<f64>() / 3.0;
+    (255.0 * (material.emission + material.ambient * grey)).clamp(0.0, 255.0)
 }
 
 fn reachable_levels(material: &Material, scene: &Scene) -> (usize, usize) {
-    let first = ambient_level(material, scene.ambient[0]);
+    let first = ambient_level(material, &scene.ambient);
     let intensity = |light: &Light| light.intensity * light.colour[0];
     let direct: f64 = scene.lights.iter().map(intensity).sum();
     let last = (first + 255.0 * material.diffuse * direct).clamp(first, 255.0);
     (first.floor() as usize, last.ceil() as usize)
 }
 
-/// A material's colour at a level.
-fn shade(material: &Material, level: usize) -> Rgb {
-    material.diffuse_colour.map(|c| c * level as f64 / 255.0)
+/// A material's colour at a level: what ambient light and emission give, which no
+/// surface of the material is without, and the diffuse colour for the rest.
+fn shade(material: &Material, ambient: &Rgb, level: usize) -> Rgb {
+    let direct = (level as f64 - ambient_level(material, ambient)) / 255.0;
+    [0, 1, 2].map(|c| {
+        let without = material.emission * material.diffuse_colour[c]
+            + material.ambient_colour[c] * material.ambient * ambient[c];
+        without + material.diffuse_colour[c] * direct
+    })
 }
 
 fn to_bytes(colour: Rgb) -> [u8; 3] {

@@ -97,23 +97,8 @@ pub(crate) fn light(light: &Light) -> Result<core_scene::Light, BakeError> {
     })
 }
 
-pub(crate) fn material(
-    scene: &Scene,
-    shade: u16,
-    material: &Material,
-) -> Result<core_scene::Material, BakeError> {
-    let name = &material.name;
-    let [r, g, b] = scene.ambient;
-    if r != g || g != b {
-        return Err(BakeError::NotYet {
-            what: "coloured ambient light".into(),
-        });
-    }
-    if material.ambient > 0.0 && material.ambient_colour != material.diffuse_colour {
-        let what = format!("material `{name}`: an ambient colour other than the diffuse one");
-        return Err(BakeError::NotYet { what });
-    }
-    Ok(core_scene::Material {
+pub(crate) fn material(scene: &Scene, shade: u16, material: &Material) -> core_scene::Material {
+    core_scene::Material {
         shading: match material.shading {
             Shading::Flat => core_scene::Shading::Flat,
             Shading::Gouraud => core_scene::Shading::Gouraud,
@@ -124,9 +109,9 @@ pub(crate) fn material(
             Cull::None => core_scene::Cull::None,
         },
         shade,
-        ambient: (ambient_level(material, r) * 64.0).round() as u16,
+        ambient: (ambient_level(material, &scene.ambient) * 64.0).round() as u16,
         diffuse: (material.diffuse.clamp(0.0, 1.0) * 65536.0).round() as u32,
-    })
+    }
 }
 
 pub(crate) fn actors(

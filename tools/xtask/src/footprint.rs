@@ -16,7 +16,7 @@ const LIMITED: &str = "cortex-m0plus";
 const STACK_SLACK: u64 = 256;
 /// Whether a firmware that could panic fails the check; until the core is free
 /// of panics it is only told.
-const PANICS_FAIL: bool = false;
+const PANICS_FAIL: bool = true;
 
 /// What one firmware takes, in bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
