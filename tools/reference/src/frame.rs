@@ -103,7 +103,7 @@ impl std::error::Error for FrameError {}
 
 impl Frame {
     /// The best frame that 16 bits of depth, 8 bits of light and the given
-    /// look-up allow: the truth, rounded to the nearest. What [`crate::compare`]
+    /// look-up allow: the truth, rounded to the nearest. What [`crate::compare()`]
     /// says about it is the bound that no renderer with this palette beats.
     ///
     /// # Panics

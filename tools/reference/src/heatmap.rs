@@ -39,7 +39,7 @@ pub struct HeatMaps {
 /// Draws all four maps.
 ///
 /// # Errors
-/// As [`crate::compare`].
+/// As [`crate::compare()`].
 pub fn draw(truth: &Truth, frame: &Frame) -> Result<HeatMaps, FrameError> {
     frame.check(truth, truth.materials)?;
     let pixels: Vec<Pixel> = (0..truth.pixels.len())

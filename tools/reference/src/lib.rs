@@ -1,8 +1,8 @@
 //! The f64 truth that fixel's pictures are held against.
 //!
-//! [`render`] finds, for the centre of each pixel, the nearest surface by
+//! [`render()`] finds, for the centre of each pixel, the nearest surface by
 //! casting a ray at the original, unsnapped triangles, all in double
-//! precision. [`compare`] measures a [`Frame`] from the renderer under test
+//! precision. [`compare()`] measures a [`Frame`] from the renderer under test
 //! against that [`Truth`]. Nothing here shares arithmetic with the fixed-point
 //! core: not the matrices, not the fill rule, not the light.
 //!

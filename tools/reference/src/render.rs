@@ -30,7 +30,7 @@ pub fn render(scene: &Scene, options: Options) -> Truth {
     render_watched(scene, options, &|| ())
 }
 
-/// As [`render`]; calls `row_done` after each of the `height` rows, from any
+/// As [`render()`]; calls `row_done` after each of the `height` rows, from any
 /// thread and in any order.
 pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sync)) -> Truth {
     let Options {
