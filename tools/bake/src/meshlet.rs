@@ -9,6 +9,10 @@ use glam::DVec3;
 /// A cluster: its triangles, as indices into the mesh's, in drawing order.
 pub(crate) type Cluster = Vec<usize>;
 
+/// What distance and a turned face cost, in vertices.
+const FAR: f64 = 0.5;
+const TURNED: f64 = 0.5;
+
 struct Builder<'a> {
     triangles: &'a [[u32; 3]],
     centres: Vec<DVec3>,
@@ -34,10 +38,25 @@ pub(crate) fn clusters(positions: &[DVec3], triangles: &[[u32; 3]]) -> Vec<Clust
     }
     let mut builder = Builder::new(positions, triangles);
     let mut clusters = Vec::new();
-    for seed in spatial_order(&builder.centres) {
-        if !builder.taken[seed] {
-            clusters.push(builder.grow(seed));
-        }
+    let mut order = spatial_order(&builder.centres).into_iter();
+    let mut border: Vec<u32> = Vec::new();
+    loop {
+        // Go on beside what is done, where the fewest neighbours are left, so
+        // that no islands stay behind; else at the next place in space.
+        border.retain(|t| !builder.taken[*t as usize]);
+        let beside = border
+            .iter()
+            .copied()
+            .min_by_key(|t| (builder.free_around(*t as usize), *t));
+        let next = || order.find(|t| !builder.taken[*t]);
+        let Some(seed) = beside.map(|t| t as usize).or_else(next) else {
+            break;
+        };
+        let cluster = builder.grow(seed);
+        border.extend(cluster.iter().flat_map(|t| builder.neighbours(*t)));
+        border.sort_unstable();
+        border.dedup();
+        clusters.push(cluster);
     }
     clusters
 }
@@ -80,6 +99,21 @@ impl<'a> Builder<'a> {
             taken: vec![false; triangles.len()],
             radius: (share.sqrt() * 0.5).max(f64::MIN_POSITIVE),
         }
+    }
+
+    /// Triangles that share a place with a triangle, itself among them.
+    fn neighbours(&self, triangle: usize) -> impl Iterator<Item = u32> {
+        let places = self.triangles[triangle].map(|v| self.place[v as usize] as usize);
+        places
+            .into_iter()
+            .flat_map(|place| self.around[place].iter().copied())
+    }
+
+    /// How many of them are in no cluster yet, counted once a shared place.
+    fn free_around(&self, triangle: usize) -> usize {
+        self.neighbours(triangle)
+            .filter(|t| !self.taken[*t as usize])
+            .count()
     }
 
     fn grow(&mut self, seed: usize) -> Cluster {
@@ -131,7 +165,9 @@ impl<'a> Builder<'a> {
             }
             let far = self.centres[i].distance(middle) / self.radius;
             let turned = 1.0 - self.normals[i].dot(direction);
-            let cost = extra as f64 + far + 0.5 * turned;
+            // One that would soon be alone is taken along.
+            let lonely = 6.0 / self.free_around(i).max(1) as f64;
+            let cost = extra as f64 + far * FAR + TURNED * turned - lonely;
             if best.is_none_or(|(least, at)| (cost, i) < (least, at)) {
                 best = Some((cost, i));
             }
