@@ -21,6 +21,7 @@ mod peers;
 mod picture;
 mod problem;
 mod qemu;
+mod readme;
 mod report;
 mod scene;
 mod test;
@@ -94,6 +95,8 @@ enum Task {
     Flash(OnBoard),
     /// Build the browser simulator into one folder.
     Web,
+    /// Write the README's tables anew from fresh figures.
+    Readme,
     /// Rewrite golden frames, after a person has looked at them.
     Bless,
 }
@@ -152,6 +155,7 @@ fn run(task: Task) -> Result<()> {
         )
         .into()),
         Task::Web => Err("there is no browser simulator yet".into()),
+        Task::Readme => readme::run(),
         Task::Bless => bless::run(),
     }
 }
