@@ -9,7 +9,7 @@ pub struct Aligned<T: ?Sized>(pub T);
 
 /// A baked scene's bytes, in flash and aligned.
 ///
-/// ```ignore
+/// ```text
 /// static TEAPOT: &[u8] = fixel::include_scene!("teapot.fxl");
 /// ```
 #[macro_export]

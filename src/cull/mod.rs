@@ -1,5 +1,5 @@
 //! Which meshlets can be seen, decided from their bounds alone. In: a meshlet's
-//! record and its [`ActorView`](crate::view::ActorView). Out: [`Visible`]: the
+//! record and its [`ActorView`]. Out: [`Visible`]: the
 //! screen rows it may touch and how near it is. Used by `render`.
 
 mod cone;

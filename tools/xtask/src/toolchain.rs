@@ -88,7 +88,9 @@ fn search(target: &str) -> Result<Route> {
     if !["", "rustup", "debian"].contains(&wanted.as_str()) {
         return Err("FIXEL_TOOLCHAIN is neither `rustup` nor `debian`".into());
     }
-    if wanted != "debian" && (has_core(target) || rustup(&["target", "add", target])) {
+    // Rustup may say that a target is there whose files are not.
+    let added = || rustup(&["target", "add", target]) && has_core(target);
+    if wanted != "debian" && (has_core(target) || added()) {
         return Ok(Route::Installed);
     }
     if wanted != "rustup" {
