@@ -10,6 +10,7 @@
 mod attribute;
 mod edge;
 mod gradient;
+mod perspective;
 mod span;
 mod triangle;
 

@@ -3,6 +3,7 @@
 use super::attribute::Attribute;
 use super::edge::Edge;
 use super::gradient::{Gradient, Plane};
+use super::perspective;
 use super::span::{self, Fill};
 use crate::frame::Target;
 use crate::math::{HALF_PX, SUBPX_BITS};
@@ -51,11 +52,13 @@ fn centres([a, b, c]: [i32; 3], least: i32, most: i32) -> (i32, i32) {
 }
 
 /// Draws a triangle if it shows one of `sides`; `fill` is asked for only then.
+/// `perspective` says that depth is proportional to 1 / w.
 #[inline(always)]
 pub fn draw_triangle<'f>(
     target: &mut Target<'_>,
     triangle: [&ScreenVertex; 3],
     sides: Sides,
+    perspective: bool,
     fill: impl FnOnce() -> Fill<'f>,
 ) -> Drawn {
     // Many triangles of a fine mesh lie between pixel centres, and in a band
@@ -79,7 +82,7 @@ pub fn draw_triangle<'f>(
     if columns.0 >= columns.1 {
         return Drawn::Missed;
     }
-    fill_triangle(target, triangle, area, (first, end), fill());
+    fill_triangle(target, triangle, area, (first, end), perspective, fill());
     Drawn::Filled
 }
 
@@ -89,6 +92,7 @@ fn fill_triangle(
     triangle: [&ScreenVertex; 3],
     area: i64,
     rows: (i32, i32),
+    perspective: bool,
     fill: Fill<'_>,
 ) {
     let (sorted, area) = sort(triangle, area);
@@ -103,6 +107,19 @@ fn fill_triangle(
                 z,
                 |indices, depths, at, columns| {
                     span::flat(indices, depths, at.z.at(columns), at.z.gradient.x, index);
+                },
+            );
+        }
+        Fill::Gouraud(shades) if perspective && perspective::shows(sorted) => {
+            let both = |plane: &Plane, row| Attributes::for_perspective(plane, sorted, area, row);
+            scan(
+                target,
+                sorted,
+                area,
+                rows,
+                both,
+                |indices, depths, at, columns| {
+                    perspective::gouraud(indices, depths, (&at.z, &at.level), columns, shades);
                 },
             );
         }
@@ -165,6 +182,17 @@ impl Attributes {
     fn depth_and_level(plane: &Plane, sorted: [&ScreenVertex; 3], area: i64, row: i32) -> Self {
         let levels = sorted.map(|v| i32::from(v.level.to_bits()));
         let level = attribute(plane, sorted, levels, 6, row);
+        Self {
+            level,
+            ..Self::depth(plane, sorted, area, row)
+        }
+    }
+
+    /// Depth, and level times depth instead of the level.
+    fn for_perspective(plane: &Plane, sorted: [&ScreenVertex; 3], area: i64, row: i32) -> Self {
+        let products = sorted.map(perspective::level_times_depth);
+        // Whole units of 2^-30 are fine enough: no further fraction.
+        let level = attribute(plane, sorted, products, 16, row);
         Self {
             level,
             ..Self::depth(plane, sorted, area, row)

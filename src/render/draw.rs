@@ -61,7 +61,13 @@ pub(super) fn draw_meshlet<P: Paint>(
             )
         };
         if a | b | c == 0 {
-            stats.count(draw_triangle(target, triangle, sides, fill));
+            stats.count(draw_triangle(
+                target,
+                triangle,
+                sides,
+                view.perspective,
+                fill,
+            ));
             continue;
         }
         stats.triangles_clipped += 1;
@@ -70,7 +76,13 @@ pub(super) fn draw_meshlet<P: Paint>(
             continue;
         };
         for (b, c) in rest.iter().zip(rest.iter().skip(1)) {
-            stats.count(draw_triangle(target, [first, b, c], sides, fill));
+            stats.count(draw_triangle(
+                target,
+                [first, b, c],
+                sides,
+                view.perspective,
+                fill,
+            ));
         }
     }
 }
