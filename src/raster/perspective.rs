@@ -7,22 +7,27 @@
 //! shading", 1991).
 
 use super::attribute::Attribute;
-use crate::math::{Depth, Level, mul_high, reciprocal};
+use crate::math::{Depth, Level, SUBPX_BITS, mul_high, reciprocal};
 use crate::vertex::ScreenVertex;
 
 /// Pixels between exact levels.
 const RUN: usize = 16;
 
-/// Whether interpolation along the screen may be off by two levels: by at most
-/// the levels' difference times (r - 1) / 4, with r the ratio of the depths.
+/// Whether interpolation along the screen may be off by a level, over a span as
+/// wide as a run: by at most the levels' difference times (r - 1) / 4, with r the
+/// ratio of the depths. In smaller triangles it may be off, in few pixels.
 #[inline(always)]
 pub(super) fn shows(triangle: [&ScreenVertex; 3]) -> bool {
+    let [a, b, c] = triangle.map(|v| v.x.to_bits());
+    if a.max(b).max(c) - a.min(b).min(c) < (RUN as i32) << SUBPX_BITS {
+        return false;
+    }
     let [a, b, c] = triangle.map(|v| v.z.to_bits() >> 4);
     let (near, far) = (a.max(b).max(c), a.min(b).min(c));
     let [a, b, c] = triangle.map(|v| u32::from(v.level.to_bits()));
     let difference = a.max(b).max(c) - a.min(b).min(c);
     // 16 and 14 bits; a level has 6 fractional bits.
-    difference * (near - far) > (far << (3 + 6))
+    difference * (near - far) > (far << (2 + 6))
 }
 
 /// Level times depth at a vertex: 30 bits.
