@@ -150,17 +150,4 @@ impl Gradient {
         const STEEP: u32 = 1 << (16 + SUBPX_BITS - 2);
         self.x.unsigned_abs() >= STEEP || self.y.unsigned_abs() >= STEEP
     }
-
-    /// What stands in for a gradient that exceeds the format: along the
-    /// triangle's `height`, from its top vertex to its bottom one, nothing
-    /// across. A sliver is not wide enough for the difference to be seen.
-    #[cold]
-    pub(super) fn along(change: i32, height: i32, fraction: i32) -> Self {
-        let change = i64::from(change) << (SUBPX_BITS as i32 + 16 - fraction);
-        let y = change.checked_div(height.into()).unwrap_or(0);
-        Self {
-            x: 0,
-            y: i32::try_from(y).unwrap_or(0),
-        }
-    }
 }

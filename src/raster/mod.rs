@@ -11,6 +11,7 @@ mod attribute;
 mod edge;
 mod gradient;
 mod perspective;
+mod sliver;
 mod span;
 mod triangle;
 

@@ -2,11 +2,12 @@
 
 use super::attribute::Attribute;
 use super::edge::Edge;
-use super::gradient::{Gradient, Plane};
+use super::gradient::Plane;
 use super::perspective;
+use super::sliver;
 use super::span::{self, Fill};
 use crate::frame::Target;
-use crate::math::{HALF_PX, SUBPX_BITS};
+use crate::math::{Depth, HALF_PX, SUBPX_BITS};
 use crate::vertex::ScreenVertex;
 
 /// Which sides of a triangle are drawn.
@@ -96,49 +97,48 @@ fn fill_triangle(
     fill: Fill<'_>,
 ) {
     let (sorted, area) = sort(triangle, area);
+    let shape = Shape { sorted, area, rows };
     match fill {
-        Fill::Flat(index) => {
-            let z = |plane: &Plane, row| Attributes::depth(plane, sorted, area, row);
-            scan(
-                target,
-                sorted,
-                area,
-                rows,
-                z,
-                |indices, depths, at, columns| {
-                    span::flat(indices, depths, at.z.at(columns), at.z.gradient.x, index);
-                },
-            );
-        }
-        Fill::Gouraud(shades) if perspective && perspective::shows(sorted) => {
-            let both = |plane: &Plane, row| Attributes::for_perspective(plane, sorted, area, row);
-            scan(
-                target,
-                sorted,
-                area,
-                rows,
-                both,
-                |indices, depths, at, columns| {
-                    perspective::gouraud(indices, depths, (&at.z, &at.level), columns, shades);
-                },
-            );
-        }
-        Fill::Gouraud(shades) => {
-            let both = |plane: &Plane, row| Attributes::depth_and_level(plane, sorted, area, row);
-            scan(
-                target,
-                sorted,
-                area,
-                rows,
-                both,
-                |indices, depths, at, columns| {
-                    let z = (at.z.at(columns), at.z.gradient.x);
-                    let level = (at.level.at(columns), at.level.gradient.x);
-                    span::gouraud(indices, depths, z, level, shades);
-                },
-            );
-        }
+        Fill::Flat(index) => scan(
+            target,
+            &shape,
+            fill,
+            |plane, row| Attributes::depth(plane, &shape, row),
+            |indices, depths, at, columns| {
+                span::flat(indices, depths, at.z.at(columns), at.z.gradient.x, index);
+            },
+        ),
+        Fill::Gouraud(shades) if perspective && perspective::shows(sorted) => scan(
+            target,
+            &shape,
+            fill,
+            |plane, row| Attributes::for_perspective(plane, &shape, row),
+            |indices, depths, at, columns| {
+                perspective::gouraud(indices, depths, (&at.z, &at.level), columns, shades);
+            },
+        ),
+        Fill::Gouraud(shades) => scan(
+            target,
+            &shape,
+            fill,
+            |plane, row| Attributes::depth_and_level(plane, &shape, row),
+            |indices, depths, at, columns| {
+                let z = (at.z.at(columns), at.z.gradient.x);
+                let level = (at.level.at(columns), at.level.gradient.x);
+                span::gouraud(indices, depths, z, level, shades);
+            },
+        ),
     }
+}
+
+/// A triangle to be filled.
+struct Shape<'a> {
+    /// From the highest to the lowest vertex.
+    sorted: [&'a ScreenVertex; 3],
+    /// Twice the area; positive if the middle vertex is right of the long edge.
+    area: i64,
+    /// Screen rows that it may touch, half-open.
+    rows: (i32, i32),
 }
 
 /// From the highest to the lowest. The area's sign follows the winding.
@@ -166,37 +166,37 @@ struct Attributes {
 
 impl Attributes {
     #[inline(always)]
-    fn depth(plane: &Plane, sorted: [&ScreenVertex; 3], area: i64, row: i32) -> Self {
-        let values = sorted.map(|v| v.z.to_bits() as i32);
-        let mut z = attribute(plane, sorted, values, 4, row);
+    fn depth(plane: &Plane, shape: &Shape<'_>, row: i32) -> Option<Self> {
+        let values = shape.sorted.map(|v| v.z.to_bits() as i32);
+        let mut z = attribute(plane, shape, values, 4, row)?;
         if z.gradient.is_steep() {
-            z = steep_depth(sorted, values, area, row).unwrap_or(z);
+            z = steep_depth(shape, values, row).unwrap_or(z);
         }
-        Self {
+        Some(Self {
             z,
             level: Attribute::default(),
-        }
+        })
     }
 
     #[inline(always)]
-    fn depth_and_level(plane: &Plane, sorted: [&ScreenVertex; 3], area: i64, row: i32) -> Self {
-        let levels = sorted.map(|v| i32::from(v.level.to_bits()));
-        let level = attribute(plane, sorted, levels, 6, row);
-        Self {
+    fn depth_and_level(plane: &Plane, shape: &Shape<'_>, row: i32) -> Option<Self> {
+        let levels = shape.sorted.map(|v| i32::from(v.level.to_bits()));
+        let level = attribute(plane, shape, levels, 6, row)?;
+        Some(Self {
             level,
-            ..Self::depth(plane, sorted, area, row)
-        }
+            ..Self::depth(plane, shape, row)?
+        })
     }
 
     /// Depth, and level times depth instead of the level.
-    fn for_perspective(plane: &Plane, sorted: [&ScreenVertex; 3], area: i64, row: i32) -> Self {
-        let products = sorted.map(perspective::level_times_depth);
+    fn for_perspective(plane: &Plane, shape: &Shape<'_>, row: i32) -> Option<Self> {
+        let products = shape.sorted.map(perspective::level_times_depth);
         // Whole units of 2^-30 are fine enough: no further fraction.
-        let level = attribute(plane, sorted, products, 16, row);
-        Self {
+        let level = attribute(plane, shape, products, 16, row)?;
+        Some(Self {
             level,
-            ..Self::depth(plane, sorted, area, row)
-        }
+            ..Self::depth(plane, shape, row)?
+        })
     }
 
     #[inline(always)]
@@ -211,12 +211,7 @@ impl Attributes {
 /// the range of depths.
 #[cold]
 #[inline(never)]
-fn steep_depth(
-    sorted: [&ScreenVertex; 3],
-    values: [i32; 3],
-    area: i64,
-    row: i32,
-) -> Option<Attribute> {
+fn steep_depth(shape: &Shape<'_>, values: [i32; 3], row: i32) -> Option<Attribute> {
     // A gradient of 2^15 units a pixel over half a sub-pixel: 4 units.
     const ROOM: i32 = 8 << 4;
     if values
@@ -225,10 +220,10 @@ fn steep_depth(
     {
         return None;
     }
-    let (plane, place) = Plane::unrounded(sorted, area)?;
+    let (plane, place) = Plane::unrounded(shape.sorted, shape.area)?;
     let [a, b, c] = values;
     let gradient = plane.gradient(b - a, c - a, 4)?;
-    let [top, ..] = sorted;
+    let [top, ..] = shape.sorted;
     let column = top.x.to_bits() >> SUBPX_BITS;
     Some(Attribute::unrounded(
         (a as u32) << 12,
@@ -238,44 +233,58 @@ fn steep_depth(
     ))
 }
 
-/// An attribute with `fraction` fractional bits at the three vertices, on `row`.
+/// An attribute with `fraction` fractional bits at the three vertices, on `row`;
+/// `None` if its gradient exceeds the format.
 #[inline(always)]
 fn attribute(
     plane: &Plane,
-    [top, _, bottom]: [&ScreenVertex; 3],
+    shape: &Shape<'_>,
     [a, b, c]: [i32; 3],
     fraction: i32,
     row: i32,
-) -> Attribute {
-    let gradient = match plane.gradient(b - a, c - a, fraction) {
-        Some(gradient) => gradient,
-        None => Gradient::along(c - a, (bottom.y - top.y).to_bits(), fraction),
-    };
+) -> Option<Attribute> {
+    let gradient = plane.gradient(b - a, c - a, fraction)?;
     let value = (a as u32) << (16 - fraction);
-    Attribute::new(value, gradient, [top.x.to_bits(), top.y.to_bits()], row)
+    let [top, ..] = shape.sorted;
+    Some(Attribute::new(
+        value,
+        gradient,
+        [top.x.to_bits(), top.y.to_bits()],
+        row,
+    ))
 }
 
-/// Walks the rows `first..end` of a triangle. Attributes are set up by `setup`
-/// when the first pixel is found, and `draw` gets the pixels of each span and
-/// the columns from the attributes' place to the span's first pixel.
+/// How a triangle's pixels get their attributes.
+enum Planes {
+    /// Not known yet: no pixel was found.
+    Unknown,
+    /// Stepped.
+    Stepped(Attributes),
+    /// Pixel by pixel.
+    Sliver,
+}
+
+/// Walks the rows of a triangle. Attributes are set up by `setup` when the first
+/// pixel is found, and `draw` gets the pixels of each span and the columns from
+/// the attributes' place to the span's first pixel.
 #[inline(always)]
 fn scan(
     target: &mut Target<'_>,
-    sorted: [&ScreenVertex; 3],
-    area: i64,
-    (first, end): (i32, i32),
-    setup: impl Fn(&Plane, i32) -> Attributes,
-    draw: impl Fn(&mut [u8], &mut [crate::math::Depth], &Attributes, i32),
+    shape: &Shape<'_>,
+    fill: Fill<'_>,
+    setup: impl Fn(&Plane, i32) -> Option<Attributes>,
+    draw: impl Fn(&mut [u8], &mut [Depth], &Attributes, i32),
 ) {
-    let [top, middle, bottom] = sorted;
+    let [top, middle, bottom] = shape.sorted;
+    let (first, end) = shape.rows;
     let width = i32::from(target.width);
     let column = top.x.to_bits() >> SUBPX_BITS;
     let bend = first_centre(middle.y.to_bits()).max(first).min(end);
     let mut start = (first - i32::from(target.top)) * width;
-    let mut attributes: Option<Attributes> = None;
+    let mut planes = Planes::Unknown;
     let mut long = Edge::new(top, bottom, first);
     // The long edge is on the left if the middle vertex is to its right.
-    let long_left = area > 0;
+    let long_left = shape.area > 0;
     for (from, to, upper, lower) in [(first, bend, top, middle), (bend, end, middle, bottom)] {
         if from >= to {
             continue;
@@ -286,16 +295,24 @@ fn scan(
             let (left, right) = if long_left { (a, b) } else { (b, a) };
             let (left, right) = (left.max(0), right.min(width));
             if left < right {
-                let at = attributes.get_or_insert_with(|| setup(&Plane::new(sorted, area), row));
+                if let Planes::Unknown = planes {
+                    let plane = Plane::new(shape.sorted, shape.area);
+                    planes = setup(&plane, row).map_or(Planes::Sliver, Planes::Stepped);
+                }
                 let pixels = (start + left) as usize..(start + right) as usize;
                 if let (Some(indices), Some(depths)) = (
                     target.indices.get_mut(pixels.clone()),
                     target.depths.get_mut(pixels),
                 ) {
-                    draw(indices, depths, at, left - column);
+                    if let Planes::Stepped(at) = &planes {
+                        draw(indices, depths, at, left - column);
+                    } else {
+                        let (sorted, area) = (shape.sorted, shape.area);
+                        sliver::span(indices, depths, sorted, area, [left, row], fill);
+                    }
                 }
             }
-            if let Some(at) = &mut attributes {
+            if let Planes::Stepped(at) = &mut planes {
                 at.advance();
             }
             start += width;

@@ -75,6 +75,11 @@ pub struct Header {
     pub colour_format: u8,
     /// World units are scene units times 2 to this power.
     pub world_exponent: i8,
+    /// The world's origin, in `2^centre_exponent` scene units: not 0 only if the
+    /// scene is far from its own origin.
+    pub world_centre: [i32; 3],
+    /// See `world_centre`.
+    pub centre_exponent: i8,
     /// Frames in a full turn of every actor about its y axis; 0: none.
     pub turntable: u32,
     /// Eye, raw [`World`](crate::math::World) bits.
@@ -119,9 +124,12 @@ impl Record for Header {
             half,
             near,
             far,
-            ..,
+            c0,
+            c1,
+            c2,
+            _,
         ] = *words;
-        let [format, exponent, ..] = format.to_ne_bytes();
+        let [format, exponent, centre_exponent, _] = format.to_ne_bytes();
         Self {
             length: u(length),
             checksum: u(checksum),
@@ -129,6 +137,8 @@ impl Record for Header {
             height: (u(size) >> 16) as u16,
             colour_format: format,
             world_exponent: exponent as i8,
+            world_centre: [i(c0), i(c1), i(c2)],
+            centre_exponent: centre_exponent as i8,
             turntable: u(turntable),
             position: [i(p0), i(p1), i(p2)],
             focal_point: [i(f0), i(f1), i(f2)],
@@ -142,7 +152,10 @@ impl Record for Header {
 
     fn to_words(&self) -> Self::Words {
         let size = u32::from(self.width) | u32::from(self.height) << 16;
-        let format = [self.colour_format, self.world_exponent as u8, 0, 0];
+        let exponents = [self.world_exponent, self.centre_exponent].map(|e| e as u8);
+        let [world, centre] = exponents;
+        let format = [self.colour_format, world, centre, 0];
+        let [c0, c1, c2] = self.world_centre.map(w);
         let [p0, p1, p2] = self.position.map(w);
         let [f0, f1, f2] = self.focal_point.map(w);
         let [u0, u1, u2] = self.view_up.map(w);
@@ -167,9 +180,9 @@ impl Record for Header {
             self.half_height.to_le(),
             w(self.near),
             w(self.far),
-            0,
-            0,
-            0,
+            c0,
+            c1,
+            c2,
             0,
         ]
     }

@@ -9,7 +9,7 @@ use crate::instance::instances;
 use crate::mesh::{Parts, Source};
 use crate::palette::tables;
 use crate::records::{actors, header, light, material};
-use crate::units::{Units, world_exponent};
+use crate::units::Units;
 
 /// A baked scene.
 #[derive(Clone, Debug)]
@@ -67,9 +67,7 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
     at_most("actors", scene.actors.len(), 65535)?;
     at_most("materials", scene.materials.len(), 65535)?;
     at_most("lights with a direction", scene.lights.len(), LIGHTS)?;
-    let units = Units {
-        exponent: world_exponent(scene),
-    };
+    let units = Units::new(scene);
     let tables = tables(scene);
     let (instances, uses) = instances(scene);
     let mut parts = Parts::default();

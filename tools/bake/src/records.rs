@@ -14,10 +14,16 @@ use crate::units::{Units, mantissa_exponent, turns, unit_q30};
 pub(crate) fn header(scene: &Scene, units: &Units) -> Result<Header, BakeError> {
     let camera = &scene.camera;
     let [mut near, mut far] = camera.clipping_range;
-    let (focus, mut eye) = (
+    let (mut focus, mut eye) = (
         DVec3::from(camera.focal_point),
         DVec3::from(camera.position),
     );
+    // Only the direction to the focal point counts: it comes as near as the scene.
+    let sight = focus - eye;
+    let longest = f64::exp2(f64::from(13 - units.exponent));
+    if sight.length() > longest {
+        focus = eye + sight.normalize_or_zero() * longest;
+    }
     let (projection, half_height) = match camera.projection {
         Projection::Perspective { view_angle } => {
             let tangent = (view_angle.to_radians() / 2.0).tan() * f64::exp2(24.0);
@@ -64,9 +70,11 @@ pub(crate) fn header(scene: &Scene, units: &Units) -> Result<Header, BakeError> 
             ColourFormat::Mono => 6,
         },
         world_exponent: units.exponent as i8,
+        world_centre: units.centre,
+        centre_exponent: units.centre_exponent as i8,
         turntable: scene.animation.turntable.unwrap_or(0),
-        position: units.point("camera.position", eye)?,
-        focal_point: units.point("camera.focal_point", focus)?,
+        position: units.place("camera.position", eye)?,
+        focal_point: units.place("camera.focal_point", focus)?,
         // Only its direction counts.
         view_up: unit_q30(DVec3::from(camera.view_up)),
         projection,
@@ -138,9 +146,9 @@ pub(crate) fn actors(
         Ok(core_scene::Actor {
             mesh: *which as u16,
             material: actor.material as u16,
-            position: units.point(&format!("actor `{name}`: position"), pivot)?,
+            position: units.place(&format!("actor `{name}`: position"), pivot)?,
             orientation: actor.orientation.map(turns),
-            offset: units.point(&format!("actor `{name}`: origin"), offset)?,
+            offset: units.vector(&format!("actor `{name}`: origin"), offset)?,
             step_mantissa,
             step_exponent,
         })

@@ -19,7 +19,10 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
     let header = blob.header();
     let scene_unit = f64::exp2(-f64::from(header.world_exponent));
     let length = |bits: i32| f64::from(bits) * scene_unit / 65536.0;
-    let point = |bits: [i32; 3]| bits.map(length);
+    let vector = |bits: [i32; 3]| DVec3::from(bits.map(length));
+    let centre = DVec3::from(header.world_centre.map(f64::from))
+        * f64::exp2(f64::from(header.centre_exponent));
+    let point = |bits: [i32; 3]| (centre + vector(bits)).to_array();
     let camera = Camera {
         position: point(header.position),
         focal_point: point(header.focal_point),
@@ -65,7 +68,7 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
                     * scene_unit;
                 // A grid point q goes to position + R (offset + step q): scaled
                 // about the point whose distance to the grid's centre that is.
-                let origin = DVec3::from(point(actor.offset)) / -step;
+                let origin = vector(actor.offset) / -step;
                 Actor {
                     name: format!("actor {}", i + 1),
                     mesh: actor.mesh.into(),

@@ -9,51 +9,87 @@ use crate::BakeError;
 /// application four times that to move things in.
 const REACH: f64 = 8192.0;
 
-/// The power of two that takes scene units to world units: as fine a world as
-/// holds the scene with room around it.
-pub(crate) fn world_exponent(scene: &Scene) -> i32 {
-    let mut reach: f64 = 0.0;
-    let mut include = |length: f64| reach = reach.max(length);
-    let camera = &scene.camera;
-    let [near, far] = camera.clipping_range;
-    for point in [camera.position, camera.focal_point] {
-        include(DVec3::from(point).length());
-    }
-    include(near.abs());
-    if let Projection::Parallel { parallel_scale } = camera.projection {
-        include(parallel_scale);
-        include(far.abs());
-        include(far - near);
-    }
-    for actor in &scene.actors {
-        include(actor_reach(actor, &scene.meshes[actor.mesh]));
-    }
-    if reach > 0.0 {
-        (REACH / reach).log2().floor().clamp(-120.0, 120.0) as i32
-    } else {
-        0
-    }
-}
-
-/// How far from the world's origin a point of the actor can be, however turned.
-fn actor_reach(actor: &Actor, mesh: &Mesh) -> f64 {
-    let (origin, scale) = (DVec3::from(actor.origin), DVec3::from(actor.scale));
-    let pivot = DVec3::from(actor.position) + origin;
-    let radius = mesh
-        .positions
-        .iter()
-        .map(|p| ((DVec3::from(*p) - origin) * scale).length())
-        .fold(0.0, f64::max);
-    pivot.length() + radius
-}
-
-/// World units from scene units.
+/// World units from scene units: moved to the scene's middle if that is far from
+/// the origin, and scaled by a power of two so that the scene uses the range of a
+/// world length with room around it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Units {
+    /// World units are scene units times 2 to this power.
     pub exponent: i32,
+    /// The world's origin: whole numbers of `2^centre_exponent` scene units.
+    pub centre: [i32; 3],
+    /// See `centre`.
+    pub centre_exponent: i32,
 }
 
 impl Units {
+    pub(crate) fn new(scene: &Scene) -> Self {
+        let camera = &scene.camera;
+        let spheres = scene
+            .actors
+            .iter()
+            .map(|a| actor_sphere(a, &scene.meshes[a.mesh]));
+        let spheres: Vec<(DVec3, f64)> = spheres
+            .chain([(DVec3::from(camera.position), 0.0)])
+            .collect();
+        let low = spheres
+            .iter()
+            .map(|(c, r)| *c - *r)
+            .fold(DVec3::INFINITY, DVec3::min);
+        let high = spheres
+            .iter()
+            .map(|(c, r)| *c + *r)
+            .fold(DVec3::NEG_INFINITY, DVec3::max);
+        let (middle, half) = ((low + high) / 2.0, (high - low).max_element() / 2.0);
+
+        // A coarse power of two, so that binary fractions stay what they are.
+        let centre_exponent = if half > 0.0 {
+            half.log2().floor() as i32
+        } else {
+            0
+        };
+        let far_away = middle.length() > half && half > 0.0;
+        let unit = f64::exp2(f64::from(centre_exponent));
+        let centre = if far_away {
+            (middle / unit).round()
+        } else {
+            DVec3::ZERO
+        };
+        let fits = centre.abs().max_element() < f64::from(i32::MAX);
+        let centre = if fits { centre } else { DVec3::ZERO };
+        let origin = centre * unit;
+
+        let mut reach: f64 = spheres
+            .iter()
+            .map(|(c, r)| (*c - origin).length() + r)
+            .fold(0.0, f64::max);
+        let [near, far] = camera.clipping_range;
+        reach = reach.max(near.abs());
+        if let Projection::Parallel { parallel_scale } = camera.projection {
+            reach = reach.max(parallel_scale).max(far.abs()).max(far - near);
+        }
+        let exponent = if reach > 0.0 {
+            (REACH / reach).log2().floor()
+        } else {
+            0.0
+        };
+        Self {
+            exponent: exponent.clamp(-120.0, 120.0) as i32,
+            centre: centre.to_array().map(|c| c as i32),
+            centre_exponent,
+        }
+    }
+
+    /// The world's origin in scene units.
+    pub(crate) fn origin(&self) -> DVec3 {
+        DVec3::from(self.centre.map(f64::from)) * f64::exp2(f64::from(self.centre_exponent))
+    }
+
+    /// Raw bits of a place in the world.
+    pub(crate) fn place(&self, what: &str, place: DVec3) -> Result<[i32; 3], BakeError> {
+        self.vector(what, place - self.origin())
+    }
+
     /// Raw bits of a world length, rounded to nearest.
     pub(crate) fn length(&self, what: &str, length: f64) -> Result<i32, BakeError> {
         let bits = (length * f64::exp2(f64::from(self.exponent + 16))).round();
@@ -67,14 +103,22 @@ impl Units {
         }
     }
 
-    /// Raw bits of a place.
-    pub(crate) fn point(&self, what: &str, point: DVec3) -> Result<[i32; 3], BakeError> {
+    /// Raw bits of a way from one place to another.
+    pub(crate) fn vector(&self, what: &str, point: DVec3) -> Result<[i32; 3], BakeError> {
         Ok([
             self.length(what, point.x)?,
             self.length(what, point.y)?,
             self.length(what, point.z)?,
         ])
     }
+}
+
+/// All places that an actor can take, however turned.
+fn actor_sphere(actor: &Actor, mesh: &Mesh) -> (DVec3, f64) {
+    let (origin, scale) = (DVec3::from(actor.origin), DVec3::from(actor.scale));
+    let reach = |p: &[f64; 3]| ((DVec3::from(*p) - origin) * scale).length();
+    let radius = mesh.positions.iter().map(reach).fold(0.0, f64::max);
+    (DVec3::from(actor.position) + origin, radius)
 }
 
 /// Degrees in 2^-32 turns, rounded to nearest.

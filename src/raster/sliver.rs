@@ -1,0 +1,71 @@
+//! Triangles whose attributes change by more than the format's range a pixel:
+//! thinner than two pixels, however long. Each pixel is worked out by itself, by
+//! barycentric weights from exact edge functions (Pineda, "A parallel algorithm
+//! for polygon rasterization", 1988), and held within the vertices' range.
+
+use super::span::Fill;
+use crate::math::{Depth, HALF_PX, SUBPX_BITS};
+use crate::vertex::ScreenVertex;
+
+/// Fractional bits of a weight.
+const WEIGHT_BITS: u32 = 20;
+
+/// Fills pixels of one row from `column` on. `area` is the doubled area.
+#[cold]
+#[inline(never)]
+pub(super) fn span(
+    indices: &mut [u8],
+    depths: &mut [Depth],
+    triangle: [&ScreenVertex; 3],
+    area: i64,
+    [column, row]: [i32; 2],
+    fill: Fill<'_>,
+) {
+    let depth_values = triangle.map(|v| i64::from(v.z.to_bits()));
+    let levels = triangle.map(|v| i64::from(v.level.to_bits()));
+    for ((pixel, depth), column) in indices.iter_mut().zip(depths).zip(column..) {
+        let weights = weights(triangle, area, [column, row]);
+        let here = (mix(depth_values, weights) + (1 << 3)) >> 4;
+        if here <= i64::from(*depth) {
+            continue;
+        }
+        *depth = here as Depth;
+        *pixel = match fill {
+            Fill::Flat(index) => index,
+            Fill::Gouraud(shades) => {
+                let level = (mix(levels, weights) + (1 << 5)) >> 6;
+                shades.get(level as usize).copied().unwrap_or(0)
+            }
+        };
+    }
+}
+
+/// Weights of the second and the third vertex at a pixel's centre.
+fn weights([a, b, c]: [&ScreenVertex; 3], area: i64, pixel: [i32; 2]) -> [i64; 2] {
+    let [px, py] = pixel.map(|p| i64::from((p << SUBPX_BITS) + HALF_PX));
+    let from = |v: &ScreenVertex| [px - i64::from(v.x.to_bits()), py - i64::from(v.y.to_bits())];
+    let edge = |p: &ScreenVertex, q: &ScreenVertex| {
+        let [dx, dy] = from(p);
+        let (ex, ey) = (
+            i64::from((q.x - p.x).to_bits()),
+            i64::from((q.y - p.y).to_bits()),
+        );
+        ex * dy - dx * ey
+    };
+    // 49 bits at most, with the weight's fraction 63: the rest is dropped on both
+    // sides of the quotient.
+    let down = (64 - area.unsigned_abs().leading_zeros()).saturating_sub(40);
+    let part = |e: i64| {
+        let quotient = ((e >> down) << WEIGHT_BITS)
+            .checked_div(area >> down)
+            .unwrap_or(0);
+        quotient.clamp(0, 1 << WEIGHT_BITS)
+    };
+    [part(edge(c, a)), part(edge(a, b))]
+}
+
+/// The weighted mean, held within the three values.
+fn mix([a, b, c]: [i64; 3], [wb, wc]: [i64; 2]) -> i64 {
+    let mean = a + (((b - a) * wb + (c - a) * wc) >> WEIGHT_BITS);
+    mean.max(a.min(b).min(c)).min(a.max(b).max(c))
+}
