@@ -111,12 +111,5 @@ fn clip_corners(
     indices: &[u8; 3],
 ) -> [crate::vertex::ClipVertex; 3] {
     let rows = MeshletRows::new(view, meshlet);
-    let vertices = scene.meshlet_vertices(meshlet);
-    indices.map(|index| {
-        let stored = vertices
-            .get(usize::from(index))
-            .copied()
-            .unwrap_or_default();
-        vertex(&rows, view, stored)
-    })
+    indices.map(|index| vertex(scene, &rows, view, meshlet, index))
 }

@@ -103,6 +103,7 @@ impl<'a> Scene<'a> {
             meshlets: 0,
             radius: super::layout::LEAST_RADIUS,
             face_normals: false,
+            fine: None,
         })
     }
 
@@ -127,6 +128,7 @@ impl<'a> Scene<'a> {
             + size_of_val(self.vertices)
             + size_of_val(self.triangles)
             + size_of_val(self.face_normals)
+            + size_of_val(self.fine)
     }
 
     /// A meshlet by its place in the scene's list.
@@ -140,6 +142,19 @@ impl<'a> Scene<'a> {
         run(
             self.vertices,
             meshlet.first_vertex as usize,
+            meshlet.vertices,
+        )
+    }
+
+    /// The low bits of a meshlet's vertices, below its shifts, for x, y and z;
+    /// empty if its mesh is not fine.
+    pub fn meshlet_fine(&self, meshlet: &Meshlet, mesh: &Mesh) -> &'a [[u8; 4]] {
+        let Some(offset) = mesh.fine else {
+            return &[];
+        };
+        run(
+            self.fine,
+            meshlet.first_vertex.wrapping_add(offset) as usize,
             meshlet.vertices,
         )
     }

@@ -17,6 +17,7 @@ pub enum Section {
     Vertices,
     Triangles,
     FaceNormals,
+    Fine,
 }
 
 impl Section {
@@ -33,6 +34,7 @@ impl Section {
         Self::Vertices,
         Self::Triangles,
         Self::FaceNormals,
+        Self::Fine,
     ];
 }
 
@@ -67,6 +69,7 @@ pub enum Field {
     VertexIndex,
     PaletteIndex,
     FaceNormals,
+    Fine,
 }
 
 /// Why a blob was refused. Nothing of a refused blob is used.

@@ -24,7 +24,7 @@ pub mod layout {
     /// Words of the header, before the section table.
     pub const HEADER_WORDS: usize = 24;
     /// Sections; each has two words in the table: byte offset and count.
-    pub const SECTIONS: usize = 11;
+    pub const SECTIONS: usize = 12;
     /// Bytes before the first section.
     pub const PREFIX_BYTES: usize = 4 * (HEADER_WORDS + 2 * SECTIONS);
     /// Where the checksum starts: after magic, version, length, checksum.

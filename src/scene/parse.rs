@@ -24,6 +24,7 @@ pub struct Scene<'a> {
     pub(crate) vertices: &'a [[i16; 4]],
     pub(crate) triangles: &'a [[u8; 3]],
     pub(crate) face_normals: &'a [[i8; 2]],
+    pub(crate) fine: &'a [[u8; 4]],
 }
 
 impl<'a> Scene<'a> {
@@ -79,6 +80,7 @@ impl<'a> Scene<'a> {
             vertices: section(bytes, &mut table)?,
             triangles: section(bytes, &mut table)?,
             face_normals: section(bytes, &mut table)?,
+            fine: section(bytes, &mut table)?,
         };
         scene.check_colours()?;
         scene.check_actors()?;
@@ -267,6 +269,17 @@ impl<'a> Scene<'a> {
             0,
             self.triangles.len() as i64 - triangles,
         )?;
+        if let Some(offset) = mesh.fine {
+            let first = meshlet.first_vertex.wrapping_add(offset);
+            range(
+                s,
+                i,
+                Field::Fine,
+                first.into(),
+                0,
+                self.fine.len() as i64 - vertices,
+            )?;
+        }
         if mesh.face_normals {
             let last = self.face_normals.len() as i64 - triangles;
             range(s, i, Field::FaceNormals, first, 0, last)?;

@@ -354,24 +354,37 @@ pub struct Mesh {
     /// Whether its triangles have face normals. Meshes that do come first, so
     /// that a triangle and its face normal have the same number.
     pub face_normals: bool,
+    /// A small mesh may give its vertices in whole grid steps, below the shifts of
+    /// its meshlets: the place of a vertex's low bits in the scene's list of them,
+    /// less the vertex's own place in the list of vertices (modulo 2^32).
+    pub fine: Option<u32>,
 }
 
 impl Record for Mesh {
-    type Words = [u32; 4];
+    type Words = [u32; 5];
 
     fn from_words(words: &Self::Words) -> Self {
-        let [first_meshlet, meshlets, radius, face_normals] = words.map(u);
+        let [first_meshlet, meshlets, radius, flags, fine] = words.map(u);
         Self {
             first_meshlet,
             meshlets,
             radius,
-            face_normals: face_normals != 0,
+            face_normals: flags & 1 != 0,
+            fine: (flags & 2 != 0).then_some(fine),
         }
     }
 
     fn to_words(&self) -> Self::Words {
-        let face_normals = u32::from(self.face_normals);
-        [self.first_meshlet, self.meshlets, self.radius, face_normals].map(u32::to_le)
+        let flags = u32::from(self.face_normals) | u32::from(self.fine.is_some()) << 1;
+        let words = [self.first_meshlet, self.meshlets, self.radius, flags];
+        let [first, meshlets, radius, flags] = words.map(u32::to_le);
+        [
+            first,
+            meshlets,
+            radius,
+            flags,
+            self.fine.unwrap_or(0).to_le(),
+        ]
     }
 }
 

@@ -17,25 +17,67 @@ pub fn transform_meshlet(
 ) {
     let rows = MeshletRows::new(view, meshlet);
     let lit = view.material.shading == Shading::Gouraud;
-    for (out, vertex) in out.iter_mut().zip(scene.meshlet_vertices(meshlet)) {
-        *out = project(view, &clip_vertex(&rows, view, *vertex, lit));
+    let vertices = scene.meshlet_vertices(meshlet);
+    let fine = scene.meshlet_fine(meshlet, &view.mesh);
+    if fine.is_empty() {
+        for (out, vertex) in out.iter_mut().zip(vertices) {
+            let [x, y, z, normal] = vertex.map(i16::from_le);
+            let place = [x, y, z].map(i32::from);
+            *out = project(view, &clip_vertex(&rows, view, place, normal, lit));
+        }
+        return;
+    }
+    for ((out, vertex), fine) in out.iter_mut().zip(vertices).zip(fine) {
+        let [.., normal] = vertex.map(i16::from_le);
+        let place = fine_place(meshlet, *vertex, *fine);
+        *out = project(view, &clip_vertex(&rows, view, place, normal, lit));
     }
 }
 
 /// One vertex of a meshlet in clip space, for clipping.
-pub fn vertex(rows: &MeshletRows, view: &ActorView, vertex: [i16; 4]) -> ClipVertex {
+pub fn vertex(
+    scene: &Scene<'_>,
+    rows: &MeshletRows,
+    view: &ActorView,
+    meshlet: &Meshlet,
+    index: u8,
+) -> ClipVertex {
+    let index = usize::from(index);
+    let vertex = scene
+        .meshlet_vertices(meshlet)
+        .get(index)
+        .copied()
+        .unwrap_or_default();
+    let [x, y, z, normal] = vertex.map(i16::from_le);
+    let place = match scene.meshlet_fine(meshlet, &view.mesh).get(index) {
+        Some(fine) => fine_place(meshlet, vertex, *fine),
+        None => [x, y, z].map(i32::from),
+    };
     clip_vertex(
         rows,
         view,
-        vertex,
+        place,
+        normal,
         view.material.shading == Shading::Gouraud,
     )
 }
 
+/// A vertex of a fine mesh in grid steps from the base.
+fn fine_place(meshlet: &Meshlet, vertex: [i16; 4], fine: [u8; 4]) -> [i32; 3] {
+    let [x, y, z, _] = vertex.map(|c| i32::from(i16::from_le(c)));
+    let ([sx, sy, sz], [fx, fy, fz, _]) = (meshlet.shifts, fine.map(i32::from));
+    [(x << sx) + fx, (y << sy) + fy, (z << sz) + fz]
+}
+
 #[inline(always)]
-fn clip_vertex(rows: &MeshletRows, view: &ActorView, vertex: [i16; 4], lit: bool) -> ClipVertex {
-    let [x, y, z, normal] = vertex.map(i16::from_le);
-    let [x, y, distance] = rows.apply([x, y, z]);
+fn clip_vertex(
+    rows: &MeshletRows,
+    view: &ActorView,
+    place: [i32; 3],
+    normal: i16,
+    lit: bool,
+) -> ClipVertex {
+    let [x, y, distance] = rows.apply(place);
     let level = if lit {
         let normal = normal.to_le_bytes().map(|b| b as i8);
         i32::from(view.lights.level(normal).to_bits())

@@ -96,6 +96,7 @@ impl ActorView {
             meshlets: 0,
             radius: 0,
             face_normals: false,
+            fine: None,
         },
         middle: [0; 2],
         guard_shift: 0,

@@ -21,7 +21,13 @@ impl MeshletRows {
             let [a, b, c] = row.map(i64::from);
             *constant += a * x + b * y + c * z;
         }
-        let [sx, sy, sz] = meshlet.shifts.map(u32::from);
+        // Vertices of a fine mesh come in grid steps.
+        let shifts = if view.mesh.fine.is_some() {
+            [0; 3]
+        } else {
+            meshlet.shifts
+        };
+        let [sx, sy, sz] = shifts.map(u32::from);
         // A coefficient times a vertex's distance is within the mesh's reach,
         // whichever of the two has the power of two.
         let rows = view
@@ -30,9 +36,10 @@ impl MeshletRows {
         Self { rows, constants }
     }
 
-    /// Clip coordinates x, y and distance of a point near the base.
+    /// Clip coordinates x, y and distance of a point near the base, in units of the
+    /// meshlet's shifts, or in grid steps for a fine mesh.
     #[inline(always)]
-    pub fn apply(&self, [x, y, z]: [i16; 3]) -> [i32; 3] {
+    pub fn apply(&self, [x, y, z]: [i32; 3]) -> [i32; 3] {
         let (x, y, z) = (i64::from(x), i64::from(y), i64::from(z));
         let [rx, ry, rd] = self.rows;
         let [cx, cy, cd] = self.constants;

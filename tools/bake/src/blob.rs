@@ -108,6 +108,7 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
                 .collect(),
             parts.face_normals.len(),
         ),
+        (words(parts.fine.as_flattened()), parts.fine.len()),
     ];
     let words = assemble(header(scene, &units)?, &sections)?;
     Ok(Baked {

@@ -13,6 +13,11 @@ use crate::meshlet::{Cluster, clusters};
 use crate::snap::{place, snap};
 use crate::{BakeError, normal};
 
+/// A mesh of so many triangles may take 4 bytes more a vertex to be exact to 22
+/// bits an axis: large faces that the eye stands close to need it, and flash does
+/// not notice.
+const FINE_TRIANGLES: usize = 256;
+
 /// A triangle of the description.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Source {
@@ -30,6 +35,7 @@ pub(crate) struct Parts {
     pub vertices: Vec<[i16; 4]>,
     pub triangles: Vec<[u8; 3]>,
     pub face_normals: Vec<[i8; 2]>,
+    pub fine: Vec<[u8; 4]>,
     pub sources: Vec<Source>,
     pub grids: Vec<Grid>,
 }
@@ -44,6 +50,8 @@ struct Shape {
     /// Grid points of the positions.
     snapped: Vec<IVec3>,
     flat: bool,
+    /// Whether vertices are in whole grid steps.
+    fine: bool,
 }
 
 impl Parts {
@@ -55,10 +63,13 @@ impl Parts {
         let grid = Grid::new(all);
         let shifts: Vec<Shifts> = clusters.iter().map(|c| grid.shifts(bounds(c))).collect();
 
+        let coarse = shifts.iter().flatten().any(|s| *s > 0);
+        shape.fine = coarse && shape.triangles.len() <= FINE_TRIANGLES;
+
         // A vertex is on the coarsest grid of the meshlets that share it.
         let mut coarsest: HashMap<_, Shifts> = HashMap::new();
         for (cluster, shifts) in clusters.iter().zip(&shifts) {
-            for corner in shape.corners(cluster) {
+            for corner in shape.corners(cluster).filter(|_| !shape.fine) {
                 let held = coarsest.entry(place(&corner)).or_default();
                 *held = [0, 1, 2].map(|axis| held[axis].max(shifts[axis]));
             }
@@ -66,6 +77,7 @@ impl Parts {
         shape.snapped = snap(&shape.positions, &shape.triangles, &grid, &coarsest);
 
         let first_meshlet = self.meshlets.len() as u32;
+        let fine = (self.fine.len() as u32).wrapping_sub(self.vertices.len() as u32);
         let mut radius = f64::from(LEAST_RADIUS);
         for (cluster, shifts) in clusters.iter().zip(shifts) {
             self.add_meshlet(&shape, cluster, shifts)?;
@@ -86,6 +98,7 @@ impl Parts {
             meshlets: clusters.len() as u32,
             radius: radius.ceil() as u32 + 1,
             face_normals: shape.flat,
+            fine: shape.fine.then_some(fine),
         });
         self.grids.push(grid);
         Ok(())
@@ -142,6 +155,10 @@ impl Parts {
             let code = normal::encode(shape.normals[*v as usize]).map(|c| c as u8);
             vertex[3] = i16::from_le_bytes(code);
             self.vertices.push(vertex);
+            if shape.fine {
+                let low = |axis: usize| (from_base[axis] & ((1 << shifts[axis]) - 1)) as u8;
+                self.fine.push([low(0), low(1), low(2), 0]);
+            }
         }
         let index: HashMap<u32, u8> = members
             .iter()
@@ -181,6 +198,7 @@ impl Shape {
             source,
             snapped: Vec::new(),
             flat: instance.flat,
+            fine: false,
         }
     }
 

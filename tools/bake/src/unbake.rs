@@ -154,10 +154,13 @@ fn mesh(blob: &Blob<'_>, number: u16) -> Mesh {
             continue;
         };
         let first = mesh.positions.len() as u32;
-        for vertex in blob.meshlet_vertices(&meshlet) {
+        let fine = blob.meshlet_fine(&meshlet, &record);
+        for (i, vertex) in blob.meshlet_vertices(&meshlet).iter().enumerate() {
+            let low = fine.get(i).copied().unwrap_or_default().map(i32::from);
             let [x, y, z, code] = vertex.map(i16::from_le);
             let steps = [x, y, z].map(i32::from);
-            let place = [0, 1, 2].map(|a| meshlet.base[a] + (steps[a] << meshlet.shifts[a]));
+            let place =
+                [0, 1, 2].map(|a| meshlet.base[a] + (steps[a] << meshlet.shifts[a]) + low[a]);
             mesh.positions.push(place.map(f64::from));
             let code = code.to_le_bytes().map(|b| b as i8);
             mesh.normals.push(normal::decode(code).to_array());
