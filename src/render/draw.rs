@@ -48,7 +48,7 @@ pub(super) fn draw_meshlet<P: Paint>(
         let fill = || {
             let level = flat.then(|| {
                 let normal = normals.get(i).copied().unwrap_or_default();
-                round_level(view.lights.level(normal))
+                round_level(view.lights.face_level(u32::from_le(normal)))
             });
             let triangle = meshlet.first_triangle + i as u32;
             paint.fill(

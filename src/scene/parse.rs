@@ -23,7 +23,7 @@ pub struct Scene<'a> {
     pub(crate) meshlets: &'a [<Meshlet as Record>::Words],
     pub(crate) vertices: &'a [[i16; 4]],
     pub(crate) triangles: &'a [[u8; 3]],
-    pub(crate) face_normals: &'a [[i8; 2]],
+    pub(crate) face_normals: &'a [u32],
     pub(crate) fine: &'a [[u8; 4]],
 }
 

@@ -23,14 +23,18 @@ pub fn transform_meshlet(
         for (out, vertex) in out.iter_mut().zip(vertices) {
             let [x, y, z, normal] = vertex.map(i16::from_le);
             let place = [x, y, z].map(i32::from);
-            *out = project(view, &clip_vertex(&rows, view, place, normal, lit));
+            *out = project(view, &clip_vertex(&rows, view, place, normal, None, lit));
         }
         return;
     }
     for ((out, vertex), fine) in out.iter_mut().zip(vertices).zip(fine) {
         let [.., normal] = vertex.map(i16::from_le);
         let place = fine_place(meshlet, *vertex, *fine);
-        *out = project(view, &clip_vertex(&rows, view, place, normal, lit));
+        let [.., low] = *fine;
+        *out = project(
+            view,
+            &clip_vertex(&rows, view, place, normal, Some(low), lit),
+        );
     }
 }
 
@@ -49,17 +53,15 @@ pub fn vertex(
         .copied()
         .unwrap_or_default();
     let [x, y, z, normal] = vertex.map(i16::from_le);
-    let place = match scene.meshlet_fine(meshlet, &view.mesh).get(index) {
-        Some(fine) => fine_place(meshlet, vertex, *fine),
-        None => [x, y, z].map(i32::from),
+    let (place, low) = match scene.meshlet_fine(meshlet, &view.mesh).get(index) {
+        Some(fine) => {
+            let [.., low] = *fine;
+            (fine_place(meshlet, vertex, *fine), Some(low))
+        }
+        None => ([x, y, z].map(i32::from), None),
     };
-    clip_vertex(
-        rows,
-        view,
-        place,
-        normal,
-        view.material.shading == Shading::Gouraud,
-    )
+    let lit = view.material.shading == Shading::Gouraud;
+    clip_vertex(rows, view, place, normal, low, lit)
 }
 
 /// A vertex of a fine mesh in grid steps from the base.
@@ -75,12 +77,17 @@ fn clip_vertex(
     view: &ActorView,
     place: [i32; 3],
     normal: i16,
+    low: Option<u8>,
     lit: bool,
 ) -> ClipVertex {
     let [x, y, distance] = rows.apply(place);
     let level = if lit {
         let normal = normal.to_le_bytes().map(|b| b as i8);
-        i32::from(view.lights.level(normal).to_bits())
+        let level = match low {
+            Some(low) => view.lights.fine_level(normal, low),
+            None => view.lights.level(normal),
+        };
+        i32::from(level.to_bits())
     } else {
         0
     };

@@ -48,23 +48,51 @@ impl ModelLights {
         }
     }
 
-    /// The light level of a surface with an octahedral normal: `ambient + sum
-    /// of max(0, N . l) * diffuse * intensity`, at most 255. The decoding is
-    /// that of Meyer et al., "On Floating-Point Normal Vectors" (2010).
+    /// The light level of a vertex with an octahedral normal in two bytes: `ambient
+    /// + sum of max(0, N . l) * diffuse * intensity`, at most 255.
     #[inline]
     pub fn level(&self, [u, v]: [i8; 2]) -> FineLevel {
-        let (mut x, mut y) = (i32::from(u), i32::from(v));
-        let z = 127 - x.abs() - y.abs();
+        self.octahedral([u, v].map(i32::from), 0)
+    }
+
+    /// The same for a normal of a fine mesh: 4 bits more each, in one byte.
+    pub fn fine_level(&self, [u, v]: [i8; 2], low: u8) -> FineLevel {
+        let [low_u, low_v] = [low & 15, low >> 4].map(i32::from);
+        self.octahedral([i32::from(u) << 4 | low_u, i32::from(v) << 4 | low_v], 4)
+    }
+
+    /// The same for a face's normal: 10 bits and a sign each for x, y and z, from
+    /// the lowest, 511 is 1; length 1.
+    #[inline]
+    pub fn face_level(&self, normal: u32) -> FineLevel {
+        const RECIP: u32 = ((1 << 24) + 255) / 511;
+        let part = |shift: u32| (normal as i32) << shift >> 22;
+        let normal = [part(22), part(12), part(2)];
+        // Two bits less of the lights keep the product within 30.
+        self.sum(normal, 2, RECIP)
+    }
+
+    /// A normal on the octahedron |x| + |y| + |z| = 127 * 2^extra, whose decoding
+    /// is that of Meyer et al., "On Floating-Point Normal Vectors" (2010).
+    #[inline(always)]
+    fn octahedral(&self, [mut x, mut y]: [i32; 2], extra: u32) -> FineLevel {
+        let z = (127 << extra) - x.abs() - y.abs();
         if z < 0 {
             // The lower half is folded over the diamond's edges.
-            (x, y) = (
-                if x >= 0 { x - -z } else { x + -z },
-                if y >= 0 { y - -z } else { y + -z },
-            );
+            let fold = |c: i32| if c >= 0 { c + z } else { c - z };
+            (x, y) = (fold(x), fold(y));
         }
-        let recip = normal_length_recip((x * x + y * y + z * z) as u32);
+        let squared = (x * x + y * y + z * z) as u32 >> (2 * extra);
+        self.sum([x, y, z], extra, normal_length_recip(squared))
+    }
+
+    /// Ambient and the lights' sum. `recip` is 2^22 over the length of the normal
+    /// `/ 2^extra`.
+    #[inline(always)]
+    fn sum(&self, [x, y, z]: [i32; 3], extra: u32, recip: u32) -> FineLevel {
         let mut level = self.ambient;
-        for [lx, ly, lz] in self.lights.iter().take(self.count) {
+        for light in self.lights.iter().take(self.count) {
+            let [lx, ly, lz] = light.map(|c| c >> extra);
             let dot = (x * lx + y * ly + z * lz).max(0) as u32;
             // 65535 is past full light for every length; see the test.
             level += ((dot >> 9).min(65535) * recip) >> 17;

@@ -102,9 +102,8 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
         (
             parts
                 .face_normals
-                .as_flattened()
                 .iter()
-                .map(|c| *c as u8)
+                .flat_map(|n| n.to_le_bytes())
                 .collect(),
             parts.face_normals.len(),
         ),

@@ -16,7 +16,7 @@ use crate::{BakeError, normal};
 /// A mesh of so many triangles may take 4 bytes more a vertex to be exact to 22
 /// bits an axis: large faces that the eye stands close to need it, and flash does
 /// not notice.
-const FINE_TRIANGLES: usize = 256;
+const FINE_TRIANGLES: usize = 512;
 
 /// A triangle of the description.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +34,7 @@ pub(crate) struct Parts {
     pub meshlets: Vec<Meshlet>,
     pub vertices: Vec<[i16; 4]>,
     pub triangles: Vec<[u8; 3]>,
-    pub face_normals: Vec<[i8; 2]>,
+    pub face_normals: Vec<u32>,
     pub fine: Vec<[u8; 4]>,
     pub sources: Vec<Source>,
     pub grids: Vec<Grid>,
@@ -152,12 +152,19 @@ impl Parts {
                     value: steps.into(),
                 })?;
             }
-            let code = normal::encode(shape.normals[*v as usize]).map(|c| c as u8);
-            vertex[3] = i16::from_le_bytes(code);
+            let one = if shape.fine {
+                normal::FINE
+            } else {
+                normal::COARSE
+            };
+            let code = normal::encode(shape.normals[*v as usize], one);
+            let high = code.map(|c| if shape.fine { c >> 4 } else { c } as u8);
+            vertex[3] = i16::from_le_bytes(high);
             self.vertices.push(vertex);
             if shape.fine {
                 let low = |axis: usize| (from_base[axis] & ((1 << shifts[axis]) - 1)) as u8;
-                self.fine.push([low(0), low(1), low(2), 0]);
+                let [u, v] = code.map(|c| (c & 15) as u8);
+                self.fine.push([low(0), low(1), low(2), u | v << 4]);
             }
         }
         let index: HashMap<u32, u8> = members
@@ -169,7 +176,7 @@ impl Parts {
             .extend(list.iter().map(|t| t.map(|v| index[&v])));
         if shape.flat {
             self.face_normals
-                .extend(faces.iter().map(|n| normal::encode(*n)));
+                .extend(faces.iter().map(|n| normal::pack(*n)));
         }
         Ok(())
     }

@@ -6,24 +6,29 @@
 
 use glam::DVec3;
 
-/// The code whose decoded direction is nearest to `normal`.
-pub(crate) fn encode(normal: DVec3) -> [i8; 2] {
+/// Largest coordinate of a code in two bytes.
+pub(crate) const COARSE: i32 = 127;
+/// Largest coordinate of a code with 4 bits more each.
+pub(crate) const FINE: i32 = 127 << 4;
+
+/// The code whose decoded direction is nearest to `normal`; its coordinates are
+/// within `one`.
+pub(crate) fn encode(normal: DVec3, one: i32) -> [i32; 2] {
     let n = normal.normalize_or(DVec3::Z);
     let on_octahedron = n / (n.x.abs() + n.y.abs() + n.z.abs());
     let (mut u, mut v) = (on_octahedron.x, on_octahedron.y);
     if n.z < 0.0 {
         (u, v) = ((1.0 - v.abs()).copysign(u), (1.0 - u.abs()).copysign(v));
     }
-    let floor = |c: f64| (c * 127.0).floor() as i32;
+    let floor = |c: f64| (c * f64::from(one)).floor() as i32;
     let mut best = ([0, 0], f64::NEG_INFINITY);
     for du in -1..=2 {
         for dv in -1..=2 {
             let code = [floor(u) + du, floor(v) + dv];
-            if code.iter().any(|c| c.abs() > 127) {
+            if code.iter().any(|c| c.abs() > one) {
                 continue;
             }
-            let code = code.map(|c| c as i8);
-            let likeness = decode(code).dot(n);
+            let likeness = decode(code, one).dot(n);
             if likeness > best.1 {
                 best = (code, likeness);
             }
@@ -33,13 +38,19 @@ pub(crate) fn encode(normal: DVec3) -> [i8; 2] {
 }
 
 /// The direction of a code, length 1.
-pub(crate) fn decode([u, v]: [i8; 2]) -> DVec3 {
+pub(crate) fn decode([u, v]: [i32; 2], one: i32) -> DVec3 {
     let (x, y) = (f64::from(u), f64::from(v));
-    let z = 127.0 - x.abs() - y.abs();
+    let z = f64::from(one) - x.abs() - y.abs();
     let fold = (-z).max(0.0);
     // A coordinate of 0 counts as positive, as in the core.
     let toward_zero = |c: f64| if c >= 0.0 { c - fold } else { c + fold };
     DVec3::new(toward_zero(x), toward_zero(y), z).normalize()
+}
+
+/// A face's normal: 10 bits and a sign each for x, y, z, 511 is 1.
+pub(crate) fn pack(normal: DVec3) -> u32 {
+    let part = |c: f64| ((c * 511.0).round() as i32 as u32) & 0x3ff;
+    part(normal.x) | part(normal.y) << 10 | part(normal.z) << 20
 }
 
 #[cfg(test)]
@@ -57,7 +68,11 @@ mod tests {
                 let angle = std::f64::consts::PI * f64::from(j) / f64::from(steps);
                 let r = (1.0 - z * z).sqrt();
                 let n = DVec3::new(r * angle.cos(), r * angle.sin(), z);
-                let error = decode(encode(n)).dot(n).min(1.0).acos().to_degrees();
+                let error = decode(encode(n, COARSE), COARSE)
+                    .dot(n)
+                    .min(1.0)
+                    .acos()
+                    .to_degrees();
                 worst = worst.max(error);
                 sum += error;
             }
@@ -77,7 +92,8 @@ mod tests {
             -DVec3::Y,
             -DVec3::Z,
         ] {
-            assert_eq!(decode(encode(axis)), axis);
+            assert_eq!(decode(encode(axis, COARSE), COARSE), axis);
+            assert_eq!(decode(encode(axis, FINE), FINE), axis);
         }
     }
 }

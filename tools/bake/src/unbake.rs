@@ -162,8 +162,14 @@ fn mesh(blob: &Blob<'_>, number: u16) -> Mesh {
             let place =
                 [0, 1, 2].map(|a| meshlet.base[a] + (steps[a] << meshlet.shifts[a]) + low[a]);
             mesh.positions.push(place.map(f64::from));
-            let code = code.to_le_bytes().map(|b| b as i8);
-            mesh.normals.push(normal::decode(code).to_array());
+            let code = code.to_le_bytes().map(|b| i32::from(b as i8));
+            let normal = if fine.is_empty() {
+                normal::decode(code, normal::COARSE)
+            } else {
+                let [u, v] = code.map(|c| c << 4);
+                normal::decode([u | low[3] & 15, v | low[3] >> 4], normal::FINE)
+            };
+            mesh.normals.push(normal.to_array());
         }
         let corners = |t: &[u8; 3]| t.map(|v| first + u32::from(v));
         mesh.triangles
