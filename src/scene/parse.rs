@@ -358,12 +358,18 @@ fn check_header(header: &Header) -> Result<(), SceneError> {
         i32::MAX as u32
     };
     check(Field::ViewAngle, header.half_height.into(), 1, most.into())?;
+    let least = if header.projection == 0 {
+        1
+    } else {
+        i64::from(i32::MIN)
+    };
     check(
         Field::ClippingRange,
         header.near.into(),
-        1,
+        least,
         i64::from(header.far) - 1,
     )?;
+    check(Field::ClippingRange, header.range_exponent.into(), 0, 11)?;
     let (eye, focus) = (header.position, header.focal_point);
     check(Field::Camera, i64::from(eye != focus), 1, 1)?;
     check(Field::Camera, i64::from(header.view_up != [0; 3]), 1, 1)

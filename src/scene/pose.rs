@@ -31,10 +31,15 @@ pub struct Camera {
     pub view_up: Vec3,
     /// Perspective or parallel.
     pub projection: Projection,
-    /// Distance of the near plane along the line of sight, above 0.
+    /// Distance of the near plane along the line of sight, in units of
+    /// `2^range_exponent`; above 0 for perspective.
     pub near: World,
-    /// Distance of the far plane; [`World::MAX`]: none (perspective only).
+    /// Distance of the far plane, in units of `2^range_exponent`; [`World::MAX`]:
+    /// none (perspective only).
     pub far: World,
+    /// See `near`; 0..=11. 0 but where a parallel view's range is far larger than
+    /// its scene.
+    pub range_exponent: u8,
 }
 
 /// Where an actor is and how it is turned.
@@ -97,6 +102,7 @@ impl Scene<'_> {
                 },
                 near: World::from_bits(header.near),
                 far: World::from_bits(header.far),
+                range_exponent: header.range_exponent,
             },
             height: header.height,
             turn: Angle::fraction(number, header.turntable),

@@ -93,7 +93,10 @@ pub struct Header {
     /// Perspective: tangent of half the vertical angle of view, in 2^-24.
     /// Parallel: half the picture's height, raw world bits.
     pub half_height: u32,
-    /// Distance of the near plane, raw world bits.
+    /// Power of two that `near` and `far` are in: 0..=11. Not 0 only where a
+    /// parallel view's range is far larger than its scene.
+    pub range_exponent: u8,
+    /// Distance of the near plane, raw world bits; above 0 for perspective.
     pub near: i32,
     /// Distance of the far plane; `i32::MAX`: none (perspective only).
     pub far: i32,
@@ -129,7 +132,7 @@ impl Record for Header {
             c2,
             _,
         ] = *words;
-        let [format, exponent, centre_exponent, _] = format.to_ne_bytes();
+        let [format, exponent, centre_exponent, range_exponent] = format.to_ne_bytes();
         Self {
             length: u(length),
             checksum: u(checksum),
@@ -145,6 +148,7 @@ impl Record for Header {
             view_up: [i(u0), i(u1), i(u2)],
             projection: u(projection) as u8,
             half_height: u(half),
+            range_exponent,
             near: i(near),
             far: i(far),
         }
@@ -154,7 +158,7 @@ impl Record for Header {
         let size = u32::from(self.width) | u32::from(self.height) << 16;
         let exponents = [self.world_exponent, self.centre_exponent].map(|e| e as u8);
         let [world, centre] = exponents;
-        let format = [self.colour_format, world, centre, 0];
+        let format = [self.colour_format, world, centre, self.range_exponent];
         let [c0, c1, c2] = self.world_centre.map(w);
         let [p0, p1, p2] = self.position.map(w);
         let [f0, f1, f2] = self.focal_point.map(w);

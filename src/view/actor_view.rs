@@ -32,7 +32,7 @@ pub struct ActorView {
     /// The same for `x - k * distance` and `y - k * distance`, with k such that
     /// these are 0 at the screen's sides.
     pub side_lengths: [i32; 2],
-    /// Distance of the near plane in clip units, at least 1.
+    /// Distance of the near plane in clip units; at least 1 for perspective.
     pub near: i32,
     /// Distance of the far plane in clip units.
     pub far: i32,
@@ -121,10 +121,7 @@ impl ActorView {
         let radius = (i64::from(mesh.radius) * i64::from(actor.step_mantissa)) >> 1;
         let radius = shift(radius, actor.step_exponent) + 1;
         let farthest = centre.iter().fold(0, |m: i64, c| m.max(c.abs()));
-        let mut reach = farthest.saturating_add(radius);
-        if !frame.perspective {
-            reach = reach.max(i64::from(frame.far) << 14);
-        }
+        let reach = farthest.saturating_add(radius);
         let reach_bits = 64 - reach.leading_zeros() as i32;
         let limit = coordinate_bits(frame);
         let down = reach_bits - limit; // Q30 world units >> down = clip units
@@ -151,10 +148,15 @@ impl ActorView {
             constant(td),
         ];
 
-        let world_to_clip = |v: i32| {
-            let wide = shift_round(i64::from(v), scale - 16);
-            wide.clamp(1, i64::from(i32::MAX)) as i32
+        let world_to_clip = |v: i64| {
+            let least = if frame.perspective {
+                1
+            } else {
+                i64::from(i32::MIN)
+            };
+            shift_round(v, scale - 16).max(least).min(i32::MAX.into()) as i32
         };
+        let near = world_to_clip(frame.near);
         let middle = [frame.width, frame.height].map(|s| i32::from(s) << (SUBPX_BITS - 1));
         let row_lengths = rows.map(row_length);
         Self {
@@ -162,16 +164,12 @@ impl ActorView {
             constants,
             row_lengths,
             side_lengths: side_lengths(frame, row_lengths, middle),
-            near: world_to_clip(frame.near),
-            far: if frame.far == i32::MAX {
-                i32::MAX
-            } else {
-                world_to_clip(frame.far)
-            },
+            near,
+            far: world_to_clip(frame.far),
             lens: frame.lens,
             perspective: frame.perspective,
             parallel_shift: scale - frame.lens.exponent,
-            depth: DepthMap::new(frame, scale),
+            depth: DepthMap::new(frame, scale, near),
             eye: eye_in_grid(frame, actor, placement, &to_world),
             lights: ModelLights::new(scene, &material, &to_world),
             material,
@@ -290,6 +288,6 @@ fn shift_round(v: i64, by: i32) -> i64 {
         shift(v, by)
     } else {
         let down = by.wrapping_neg().min(62);
-        (v + (1i64 << (down - 1))) >> down
+        v.saturating_add(1i64 << (down - 1)) >> down
     }
 }

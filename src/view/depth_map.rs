@@ -17,8 +17,10 @@ pub enum DepthMap {
     },
     /// A straight line.
     Parallel {
-        /// Depth at distance 0, raw [`FineDepth`].
-        at_eye: i32,
+        /// Depth at distance `reference`, raw [`FineDepth`].
+        base: i32,
+        /// A clip distance.
+        reference: i32,
         /// Fall a unit of clip distance.
         mantissa: i32,
         /// Right shift of the product.
@@ -30,28 +32,36 @@ pub enum DepthMap {
 const ONE: u64 = 65535 << 4;
 
 impl DepthMap {
-    /// For clip distances that are world distances times `2^scale`.
-    pub(super) fn new(frame: &ViewFrame, scale: i32) -> Self {
-        let (near, far) = (frame.near as u64, frame.far as u64);
+    /// For clip distances that are world distances times `2^scale`, where the near
+    /// plane's is `near`.
+    pub(super) fn new(frame: &ViewFrame, scale: i32, near: i32) -> Self {
         if frame.perspective {
-            let (mantissa, bits) = top_31_bits(near * ONE);
+            let (mantissa, bits) = top_31_bits(frame.near.unsigned_abs().saturating_mul(ONE));
             // near has 16 fractional bits; 62 is the reciprocal's scale, 32 the
             // high product's.
-            Self::Perspective {
-                mantissa,
-                shift: 62 - 32 - (bits - 31) - (scale - 16),
-            }
-        } else {
-            let range = far - near;
-            let (mantissa, bits) = top_31_bits((ONE << 43).checked_div(range).unwrap_or(ONE));
-            let at_eye = (far * ONE).checked_div(range).unwrap_or(ONE);
-            let at_eye = at_eye.min(i32::MAX as u64) as i32;
-            // Fall a world unit: quotient * 2^(16 - 43).
-            Self::Parallel {
-                at_eye,
-                mantissa,
-                shift: scale + (43 - 16) - (bits - 31) - 32,
-            }
+            let shift = 62 - 32 - (bits - 31) - (scale - 16);
+            return Self::Perspective { mantissa, shift };
+        }
+        let range = frame.far.saturating_sub(frame.near).unsigned_abs();
+        let (mantissa, bits) = top_31_bits((ONE << 43).checked_div(range).unwrap_or(ONE));
+        // Fall a world unit: quotient * 2^(16 - 43).
+        let shift = scale + (43 - 16) - (bits - 31) - 32;
+        // Depth at the eye, or at the near plane if that is too far away from the
+        // eye, in terms of the range, for a number of this format.
+        let at_eye = frame
+            .far
+            .saturating_mul(ONE as i64)
+            .checked_div(range as i64)
+            .unwrap_or(0);
+        let (base, reference) = match i32::try_from(at_eye) {
+            Ok(at_eye) if at_eye.abs() < 1 << 30 => (at_eye, 0),
+            _ => (ONE as i32, near),
+        };
+        Self::Parallel {
+            base,
+            reference,
+            mantissa,
+            shift,
         }
     }
 
@@ -64,10 +74,14 @@ impl DepthMap {
                 shift - recip.shift as i32,
             ),
             Self::Parallel {
-                at_eye,
+                base,
+                reference,
                 mantissa,
                 shift,
-            } => at_eye.saturating_sub(round_shift(mul_high(mantissa, d), shift)),
+            } => {
+                let behind = d.saturating_sub(reference);
+                base.saturating_sub(round_shift(mul_high(mantissa, behind), shift))
+            }
         };
         FineDepth::from_bits(depth.clamp(1 << 4, ONE as i32) as u32)
     }

@@ -1,6 +1,6 @@
 //! The camera, ready for use.
 
-use crate::math::{Rotation, SUBPX_BITS, Vec3, view_rotation};
+use crate::math::{Rotation, SUBPX_BITS, Vec3, World, view_rotation};
 use crate::scene::{Camera, Projection};
 
 /// Screen distance per view-space ratio (perspective: x / w; parallel: x in
@@ -25,10 +25,11 @@ pub struct ViewFrame {
     pub lens: Lens,
     /// Whether things shrink with distance.
     pub perspective: bool,
-    /// Distance of the near plane, raw world bits, at least 1.
-    pub near: i32,
-    /// Distance of the far plane, raw world bits, above `near`.
-    pub far: i32,
+    /// Distance of the near plane, raw world bits, below 2^43; at least 1 for
+    /// perspective.
+    pub near: i64,
+    /// Distance of the far plane, raw world bits, above `near`; [`i64::MAX`]: none.
+    pub far: i64,
     /// Screen width in pixels.
     pub width: u16,
     /// Screen height in pixels.
@@ -59,14 +60,21 @@ impl ViewFrame {
                 Lens::new(half_height, scale.to_bits().max(1) as u32, 16),
             ),
         };
-        let near = camera.near.to_bits().clamp(1, i32::MAX - 1);
+        let raw = |distance: World| i64::from(distance.to_bits()) << camera.range_exponent.min(11);
+        let least = if perspective { 1 } else { i64::MIN };
+        let near = raw(camera.near).max(least);
+        let far = if perspective && camera.far == World::MAX {
+            i64::MAX
+        } else {
+            raw(camera.far)
+        };
         Self {
             rotation,
             eye: camera.position,
             lens,
             perspective,
             near,
-            far: camera.far.to_bits().max(near + 1),
+            far: far.max(near.saturating_add(1)),
             width,
             height,
         }

@@ -13,8 +13,7 @@ use crate::units::{Units, mantissa_exponent, turns, unit_q30};
 
 pub(crate) fn header(scene: &Scene, units: &Units) -> Result<Header, BakeError> {
     let camera = &scene.camera;
-    let [mut near, mut far] = camera.clipping_range;
-    let (mut focus, mut eye) = (
+    let (mut focus, eye) = (
         DVec3::from(camera.focal_point),
         DVec3::from(camera.position),
     );
@@ -36,25 +35,11 @@ pub(crate) fn header(scene: &Scene, units: &Units) -> Result<Header, BakeError> 
             (0, tangent.round() as u32)
         }
         Projection::Parallel { parallel_scale } => {
-            if near <= 0.0 {
-                // The eye may stand anywhere along the line of sight: back to
-                // where all is in front of it.
-                let back = far - near;
-                let away = (eye - focus).normalize_or_zero();
-                eye += away * back;
-                (near, far) = (near + back, far + back);
-            }
             let half = units.length("camera.parallel_scale", parallel_scale)?;
             (1, half.max(1) as u32)
         }
     };
-    // What is farther than a world length holds is farther than all there is.
-    let far = match units.length("camera.clipping_range", far) {
-        Ok(far) => far,
-        Err(_) if projection == 0 => i32::MAX,
-        Err(error) => return Err(error),
-    };
-    let near = units.length("camera.clipping_range", near)?.max(1);
+    let (near, far, range_exponent) = range(scene, units, projection)?;
     Ok(Header {
         length: 0,
         checksum: 0,
@@ -79,9 +64,38 @@ pub(crate) fn header(scene: &Scene, units: &Units) -> Result<Header, BakeError> 
         view_up: unit_q30(DVec3::from(camera.view_up)),
         projection,
         half_height,
+        range_exponent,
         near,
-        far: far.max(near + 1),
+        far,
     })
+}
+
+/// Near, far and the power of two that they are in.
+fn range(scene: &Scene, units: &Units, projection: u8) -> Result<(i32, i32, u8), BakeError> {
+    let what = "camera.clipping_range";
+    let [near, far] = scene.camera.clipping_range;
+    if projection == 0 {
+        // What is farther than a world length holds is farther than all there is.
+        let near = units.length(what, near)?.max(1);
+        let far = units.length(what, far).unwrap_or(i32::MAX);
+        return Ok((near, far.max(near.saturating_add(1)), 0));
+    }
+    let fits = |exponent: &u8| {
+        let unit = f64::exp2(-f64::from(*exponent));
+        [near, far]
+            .iter()
+            .all(|d| units.length(what, d * unit).is_ok())
+    };
+    let exponent = (0..=11).find(fits).ok_or(BakeError::Range {
+        what: what.into(),
+        value: far,
+    })?;
+    let unit = f64::exp2(-f64::from(exponent));
+    let (near, far) = (
+        units.length(what, near * unit)?,
+        units.length(what, far * unit)?,
+    );
+    Ok((near, far.max(near.saturating_add(1)), exponent))
 }
 
 pub(crate) fn light(light: &Light) -> Result<core_scene::Light, BakeError> {

@@ -37,7 +37,8 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
                 parallel_scale: length(header.half_height as i32),
             }
         },
-        clipping_range: [header.near, header.far].map(length),
+        clipping_range: [header.near, header.far]
+            .map(|d| length(d) * f64::exp2(header.range_exponent.into())),
     };
     let colours = |index: u8| blob.palette()[usize::from(index)].map(|c| f64::from(c) / 255.0);
     Scene {

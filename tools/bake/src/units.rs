@@ -63,10 +63,9 @@ impl Units {
             .iter()
             .map(|(c, r)| (*c - origin).length() + r)
             .fold(0.0, f64::max);
-        let [near, far] = camera.clipping_range;
-        reach = reach.max(near.abs());
-        if let Projection::Parallel { parallel_scale } = camera.projection {
-            reach = reach.max(parallel_scale).max(far.abs()).max(far - near);
+        match camera.projection {
+            Projection::Perspective { .. } => reach = reach.max(camera.clipping_range[0]),
+            Projection::Parallel { parallel_scale } => reach = reach.max(parallel_scale),
         }
         let exponent = if reach > 0.0 {
             (REACH / reach).log2().floor()
