@@ -13,13 +13,13 @@ use crate::vertex::ScreenVertex;
 /// Pixels between exact levels.
 const RUN: usize = 16;
 
-/// Whether interpolation along the screen may be off by a level, over a span as
-/// wide as a run: by at most the levels' difference times (r - 1) / 4, with r the
+/// Whether interpolation along the screen may be off by a level, over a span of
+/// 8 pixels: by at most the levels' difference times (r - 1) / 4, with r the
 /// ratio of the depths. In smaller triangles it may be off, in few pixels.
 #[inline(always)]
 pub(super) fn shows(triangle: [&ScreenVertex; 3]) -> bool {
     let [a, b, c] = triangle.map(|v| v.x.to_bits());
-    if a.max(b).max(c) - a.min(b).min(c) < (RUN as i32) << SUBPX_BITS {
+    if a.max(b).max(c) - a.min(b).min(c) < 8 << SUBPX_BITS {
         return false;
     }
     let [a, b, c] = triangle.map(|v| v.z.to_bits() >> 4);
