@@ -27,6 +27,9 @@
     )
 )]
 
+#[cfg(test)]
+extern crate std;
+
 pub mod clip;
 pub mod cull;
 pub mod display;

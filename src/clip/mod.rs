@@ -129,6 +129,3 @@ fn held(view: &ActorView, v: &ClipVertex) -> ClipVertex {
     }
     v
 }
-
-#[cfg(test)]
-mod tests;

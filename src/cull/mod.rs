@@ -46,6 +46,3 @@ pub fn judge(view: &ActorView, meshlet: &Meshlet, height: u16) -> Verdict {
         None => Verdict::OutsideView,
     }
 }
-
-#[cfg(test)]
-mod tests;

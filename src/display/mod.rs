@@ -27,6 +27,3 @@ pub trait Display {
     /// drawn.
     fn show(&mut self, rows: BandRows<'_>) -> Result<(), Self::Error>;
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,5 +1,3 @@
-extern crate std;
-
 use super::*;
 use std::f64::consts::TAU;
 
@@ -90,4 +88,86 @@ fn normalise_is_exact_to_28_bits_at_any_scale() {
         }
     }
     assert_eq!(normalise([0; 3]), None);
+}
+
+/// FEATURES of a graphics course, worked by hand.
+mod worked_examples {
+    use super::super::*;
+
+    fn point(x: i16, y: i16, z: i16) -> Vec3 {
+        Vec3::from_ints(x, y, z)
+    }
+
+    type Map = Transform<WorldSpace, WorldSpace>;
+
+    #[test]
+    fn moved_by_five_in_y_then_turned_a_quarter_about_x() {
+        let up = Map::translation(point(0, 5, 0));
+        let turn = Map::rotation(&Rotation::about_x(Angle::QUARTER));
+        assert_eq!(up.then(&turn).apply(point(0, 0, 1)), point(0, -1, 5));
+    }
+
+    #[test]
+    fn turned_a_quarter_about_an_axis_parallel_to_x() {
+        let turn = Map::rotation_about_x_through(point(0, 3, 2), Angle::QUARTER);
+        assert_eq!(turn.apply(point(0, 0, 1)), point(0, 4, -1));
+    }
+
+    #[test]
+    fn a_viewing_frame_along_x() {
+        // Origin at the view-site, z towards the viewpoint.
+        let (site, viewpoint) = (point(0, 0, 1), point(-10, 0, 1));
+        let rotation = Transform::<WorldSpace, View>::look_at(viewpoint, site, point(0, 0, 1));
+        let to_eye = rotation.unwrap().apply(point(5, 0, 1));
+        // The eye is 10 behind the view-site.
+        assert_eq!(to_eye, point(0, 0, -15));
+    }
+
+    #[test]
+    fn a_viewing_frame_along_the_diagonal() {
+        let view =
+            Transform::<WorldSpace, View>::look_at(point(5, 5, 5), Vec3::ZERO, point(0, 0, 1));
+        let [x, y, z] = view.unwrap().apply(point(0, 0, 5)).to_bits().map(f64::from);
+        let one = 65536.0;
+        let from_site = z / one + 75f64.sqrt();
+        assert!((x / one).abs() < 2.0 / one);
+        assert!((y / one - 5.0 * 6f64.sqrt() / 3.0).abs() < 2.0 / one);
+        assert!((from_site - 5.0 / 3f64.sqrt()).abs() < 2.0 / one);
+    }
+
+    #[test]
+    fn composition_is_application_in_turn() {
+        let a = Map::rotation(&Rotation::about_z(Angle::from_turns16(7000)));
+        let b = Map::translation(point(3, -2, 9));
+        let c = Map::scale(
+            World::from_num(3),
+            World::from_num(-1) / 2,
+            World::from_num(7),
+        );
+        let p = point(11, -4, 6);
+        let at_once = a.then(&b).then(&c).apply(p).to_bits();
+        let in_turn = c.apply(b.apply(a.apply(p))).to_bits();
+        for (one, other) in at_once.iter().zip(in_turn) {
+            // Three roundings of half a bit, the last two scaled by up to 7.
+            assert!((one - other).abs() <= 8, "{one} {other}");
+        }
+    }
+}
+
+mod quotients {
+    use super::super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn floor_and_ceiling_are_exact(n in -(1i64 << 50)..1 << 50, d in 1i32..) {
+            let d = d.max((n.unsigned_abs() >> 30) as i32 + 1);
+            let (q, r) = floor_div(n, d);
+            prop_assert_eq!(i64::from(q) * i64::from(d) + i64::from(r), n);
+            prop_assert!((0..d).contains(&r));
+            let (q, r) = ceil_div(n, d);
+            prop_assert_eq!(i64::from(q) * i64::from(d) - i64::from(r), n);
+            prop_assert!((0..d).contains(&r));
+        }
+    }
 }

@@ -16,6 +16,3 @@ pub use frame::{render_frame, render_frame_with};
 pub use paint::{Ids, Paint, PaintActor, PaintLevel, PaintTriangle, Shaded};
 pub use scratch::{Scratch, Workspace};
 pub use stats::FrameStats;
-
-#[cfg(test)]
-mod tests;

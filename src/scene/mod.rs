@@ -44,6 +44,3 @@ pub mod layout {
     /// Largest shift of a meshlet's vertices: 16 bits and this span the grid.
     pub const MOST_SHIFT: u8 = 7;
 }
-
-#[cfg(test)]
-mod tests;

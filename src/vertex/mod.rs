@@ -10,6 +10,3 @@ pub use clip_coordinates::ClipVertex;
 pub use meshlet::{TransformedMeshlet, transform_meshlet, vertex};
 pub use projection::{Rest, ScreenVertex, outside, project};
 pub(crate) use projection::{guard, outcode};
-
-#[cfg(test)]
-mod tests;

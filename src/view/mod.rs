@@ -20,6 +20,3 @@ pub use view_frame::{Lens, ViewFrame};
 /// within 31 bits (a vertex has 15 and a sign, a clip coordinate 28). With 14, a
 /// cube's edges were off by 10^-4 pixels.
 pub const ROW_FRACTION: u32 = 17;
-
-#[cfg(test)]
-mod tests;

@@ -1,8 +1,19 @@
 //! Rewrites golden frames, after a person has looked at them.
 
-use crate::problem::Result;
+use std::process::Command;
 
-/// Golden frames are not there yet.
+use crate::problem::Result;
+use crate::{child, paths};
+
+/// Runs the golden frames' test so that it writes `tests/golden` anew.
 pub fn run() -> Result<()> {
-    Err("there are no golden frames yet".into())
+    let mut command = Command::new("cargo");
+    command
+        .args(["test", "--quiet", "--package", "fixel-tests"])
+        .args(["--test", "frames", "golden_frames"])
+        .env("FIXEL_BLESS", "1")
+        .current_dir(paths::root());
+    child::visibly(&mut command)?;
+    eprintln!("tests/golden is written anew: look at each changed picture beside the reference");
+    Ok(())
 }

@@ -1,0 +1,142 @@
+//! Damaged blobs: refused with a reason, or drawn safely, never a panic.
+
+use fixel::scene::{self, Field, SceneError, Section, layout};
+use fixel_bake::Baked;
+use fixel_host::{Options, render};
+
+fn small() -> Baked {
+    fixel_tests::load(&fixel_tests::root().join("tests/data/small.toml")).1
+}
+
+/// The blob as words, with the checksum made good after a change.
+fn with_change(baked: &Baked, change: impl FnOnce(&mut [u8])) -> Vec<u32> {
+    let mut bytes = baked.bytes().to_vec();
+    change(&mut bytes);
+    let mut words: Vec<u32> = bytes
+        .chunks_exact(4)
+        .map(|c| u32::from_le_bytes([c[0], c[1], c[2], c[3]]))
+        .collect();
+    words[3] = scene::checksum(&words[layout::CHECKED_FROM / 4..]);
+    words
+}
+
+fn parse(words: &[u32]) -> Result<(), SceneError> {
+    let bytes: Vec<u8> = words.iter().flat_map(|w| w.to_le_bytes()).collect();
+    Baked::from_bytes(&bytes).map(|_| ())
+}
+
+#[test]
+fn each_kind_of_damage_has_its_error() {
+    let baked = small();
+    let bytes = baked.bytes();
+    let refused = |bytes: &[u8]| Baked::from_bytes(bytes).expect_err("damaged");
+    assert!(matches!(
+        refused(&bytes[..40]),
+        SceneError::TooShort { bytes: 40 }
+    ));
+    assert!(matches!(
+        refused(&bytes[..bytes.len() - 4]),
+        SceneError::Length { .. }
+    ));
+    let mut changed = bytes.to_vec();
+    changed[0] = b'X';
+    assert!(matches!(refused(&changed), SceneError::NotAScene));
+    let mut changed = bytes.to_vec();
+    changed[4] = 9;
+    assert!(matches!(
+        refused(&changed),
+        SceneError::Version { found: 9 }
+    ));
+    let mut changed = bytes.to_vec();
+    let last = changed.len() - 1;
+    changed[last] ^= 1;
+    assert!(matches!(refused(&changed), SceneError::Checksum { .. }));
+    // A slice that starts off a word.
+    let mut shifted = vec![0; bytes.len() + 8];
+    let off = (0..4)
+        .find(|o| (shifted.as_ptr() as usize + o) % 4 == 1)
+        .expect("one of four");
+    shifted[off..off + bytes.len()].copy_from_slice(bytes);
+    let result = fixel::Scene::parse(&shifted[off..off + bytes.len()]);
+    assert!(matches!(result, Err(SceneError::Misaligned)));
+}
+
+#[test]
+fn an_index_out_of_range_is_named() {
+    let baked = small();
+    let table = |section: usize| 4 * (layout::HEADER_WORDS + 2 * section);
+    let place = |section: usize| {
+        let at = table(section);
+        let word = &baked.bytes()[at..at + 4];
+        u32::from_le_bytes([word[0], word[1], word[2], word[3]]) as usize
+    };
+    let section = |wanted: Section| {
+        Section::ALL
+            .iter()
+            .position(|s| *s == wanted)
+            .expect("all sections are listed")
+    };
+    let cases = [
+        // The first actor's mesh, the first triangle's first vertex, the first
+        // shade's first index.
+        (Section::Actors, 1, Section::Actors, Field::Mesh),
+        (
+            Section::Triangles,
+            0,
+            Section::Triangles,
+            Field::VertexIndex,
+        ),
+        (Section::Meshlets, 14, Section::Meshlets, Field::Count),
+    ];
+    for (part, offset, wanted_section, wanted_field) in cases {
+        let at = place(section(part)) + offset;
+        let words = with_change(&baked, |bytes| bytes[at] = 200);
+        match parse(&words) {
+            Err(SceneError::Record { section, field, .. }) => {
+                assert_eq!((section, field), (wanted_section, wanted_field));
+            }
+            other => panic!("{part:?}: {other:?}"),
+        }
+    }
+}
+
+#[test]
+fn every_truncation_is_refused() {
+    let baked = small();
+    for length in 0..baked.bytes().len() {
+        assert!(
+            Baked::from_bytes(&baked.bytes()[..length]).is_err(),
+            "{length} bytes"
+        );
+    }
+}
+
+#[test]
+fn every_changed_byte_is_refused_or_drawn_safely() {
+    let baked = small();
+    let (mut drawn, mut refused) = (0, 0);
+    for at in layout::CHECKED_FROM..baked.bytes().len() {
+        for flip in [0x01, 0x80, 0xff] {
+            let words = with_change(&baked, |bytes| bytes[at] ^= flip);
+            let bytes: Vec<u8> = words.iter().flat_map(|w| w.to_le_bytes()).collect();
+            match Baked::from_bytes(&bytes) {
+                Ok(changed) => {
+                    let scene = changed.scene().expect("parsed a moment ago");
+                    let options = Options {
+                        width: 24,
+                        height: 16,
+                        frame: 3,
+                        band_rows: Some(5),
+                    };
+                    assert_eq!(render(&scene, &options).index.len(), 24 * 16);
+                    drawn += 1;
+                }
+                Err(_) => refused += 1,
+            }
+        }
+    }
+    assert!(
+        drawn > 100 && refused > 100,
+        "{drawn} drawn, {refused} refused"
+    );
+}

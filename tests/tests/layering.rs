@@ -1,0 +1,76 @@
+//! Data flows one way: a module of the core imports only those before it.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+/// What each module may import. `render` is the one place that knows all.
+const ALLOWED: [(&str, &[&str]); 10] = [
+    ("math", &[]),
+    ("frame", &["math"]),
+    ("scene", &["math"]),
+    ("view", &["math", "scene"]),
+    ("cull", &["math", "scene", "view"]),
+    ("vertex", &["math", "scene", "view"]),
+    ("clip", &["math", "vertex", "view"]),
+    ("raster", &["frame", "math", "vertex"]),
+    ("palette", &["frame"]),
+    ("display", &["frame", "palette"]),
+];
+
+/// Modules that a source text names by `crate::`, tests and docs aside.
+fn imports(text: &str) -> Vec<String> {
+    let code = text
+        .lines()
+        .map(str::trim)
+        .filter(|line| !line.starts_with("//"));
+    let named = code.flat_map(|line| line.split("crate::").skip(1).map(str::to_owned));
+    named
+        .map(|rest| {
+            rest.chars()
+                .take_while(|c| c.is_alphanumeric() || *c == '_')
+                .collect()
+        })
+        .filter(|name: &String| !name.is_empty() && name.chars().all(|c| c.is_lowercase()))
+        .collect()
+}
+
+fn sources(folder: &Path, into: &mut Vec<(String, String)>) {
+    for entry in fs::read_dir(folder).expect("a folder of the core") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            sources(&path, into);
+        } else if !path.ends_with("tests.rs") && !folder.ends_with("tests") {
+            let text = fs::read_to_string(&path).expect("a source file");
+            into.push((path.display().to_string(), text));
+        }
+    }
+}
+
+#[test]
+fn modules_import_only_those_before_them() {
+    let allowed: BTreeMap<_, _> = ALLOWED.into_iter().collect();
+    let src = fixel_tests::root().join("src");
+    let mut wrong = Vec::new();
+    for (module, allowed) in &allowed {
+        let mut files = Vec::new();
+        sources(&src.join(module), &mut files);
+        assert!(!files.is_empty(), "src/{module} is empty");
+        for (path, text) in files {
+            let outside = imports(&text)
+                .into_iter()
+                .filter(|name| name != module && !allowed.contains(&name.as_str()));
+            wrong.extend(outside.map(|name| format!("{path} imports {name}")));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_wrong_import_is_seen() {
+    assert_eq!(imports("use crate::render::Scratch;"), ["render"]);
+    assert_eq!(
+        imports("// use crate::render;\nlet x = crate::view::Lens;"),
+        ["view"]
+    );
+}
