@@ -10,18 +10,20 @@ mod rotation;
 mod rsqrt;
 mod transform;
 mod vector;
+mod wide;
 
 pub use angle::Angle;
 pub use formats::{
     Depth, FineDepth, FineLevel, HALF_PX, Level, MAX_SCREEN, SUBPX_BITS, SubPx, World,
 };
-pub use quotient::{ceil_div, floor_div};
-pub use recip::{Reciprocal, mul_high, reciprocal};
+pub use quotient::Divider;
+pub use recip::{Reciprocal, reciprocal};
 pub use rotation::Rotation;
 pub(crate) use rsqrt::normal_length_recip;
 pub(crate) use transform::view_rotation;
 pub use transform::{Clip, Model, Space, Transform, View, World as WorldSpace};
 pub use vector::{Unit3, Vec3, cross, dot, normalise};
+pub use wide::mul_high;
 
 #[cfg(test)]
 mod tests;

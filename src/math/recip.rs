@@ -2,6 +2,8 @@
 //! Newton-Raphson steps (the method of D. H. Douglas-style table seeding; see
 //! Ercegovac and Lang, "Digital Arithmetic", chapter 7).
 
+use super::wide::mul_high_u;
+
 /// `round(2^16 / x)` for x in the middle of each 256th of 1..2.
 const SEEDS: [u16; 256] = seeds();
 
@@ -17,18 +19,6 @@ const fn seeds() -> [u16; 256] {
         i += 1;
     }
     table
-}
-
-/// High 32 bits of the 64-bit product, rounded down.
-#[inline(always)]
-pub fn mul_high(a: i32, b: i32) -> i32 {
-    ((i64::from(a) * i64::from(b)) >> 32) as i32
-}
-
-/// High 32 bits of the unsigned 64-bit product.
-#[inline(always)]
-fn mul_high_u(a: u32, b: u32) -> u32 {
-    ((u64::from(a) * u64::from(b)) >> 32) as u32
 }
 
 /// `1 / value` as `mantissa * 2^(shift - 62)`.

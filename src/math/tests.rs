@@ -155,17 +155,52 @@ mod worked_examples {
 }
 
 mod quotients {
+    use super::super::quotient::floor_by_reciprocal;
+    use super::super::wide::{mul_high_by_halves, mul_high_u, mul_high_u_by_halves};
     use super::super::*;
     use proptest::prelude::*;
 
+    fn factor() -> impl Strategy<Value = i32> {
+        prop_oneof![
+            any::<i32>(),
+            -3..3i32,
+            Just(i32::MIN),
+            Just(i32::MAX),
+            Just(0xffff),
+            Just(-0x10000)
+        ]
+    }
+
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
         #[test]
-        fn floor_and_ceiling_are_exact(n in -(1i64 << 50)..1 << 50, d in 1i32..) {
+        fn high_halves_are_the_same_by_either_way(a in factor(), b in factor()) {
+            prop_assert_eq!(mul_high_by_halves(a, b), mul_high(a, b));
+            let (a, b) = (a as u32, b as u32);
+            prop_assert_eq!(mul_high_u_by_halves(a, b), mul_high_u(a, b));
+        }
+
+        #[test]
+        fn quotients_by_reciprocal_are_exact(n in factor(), d in 1i32..1 << 26, small in 1i32..5000) {
+            for d in [d, small] {
+                let n = n.max(-i32::MAX);
+                let by_divide = Divider::new(d).floor(n);
+                prop_assert_eq!(floor_by_reciprocal(n, d, reciprocal(d as u32)), by_divide);
+                let (q, r) = by_divide;
+                prop_assert_eq!(i64::from(q) * i64::from(d) + i64::from(r), i64::from(n));
+                prop_assert!((0..d).contains(&r));
+            }
+        }
+
+        #[test]
+        fn wide_floor_and_ceiling_are_exact(n in -(1i64 << 50)..1 << 50, d in 1i32..) {
             let d = d.max((n.unsigned_abs() >> 30) as i32 + 1);
-            let (q, r) = floor_div(n, d);
+            let divider = Divider::new(d);
+            let (q, r) = divider.floor_wide(n);
             prop_assert_eq!(i64::from(q) * i64::from(d) + i64::from(r), n);
             prop_assert!((0..d).contains(&r));
-            let (q, r) = ceil_div(n, d);
+            let (q, r) = divider.ceil_wide(n);
             prop_assert_eq!(i64::from(q) * i64::from(d) - i64::from(r), n);
             prop_assert!((0..d).contains(&r));
         }

@@ -1,6 +1,6 @@
 //! An edge, row by row.
 
-use crate::math::{HALF_PX, SUBPX_BITS, ceil_div, floor_div};
+use crate::math::{Divider, HALF_PX, SUBPX_BITS};
 use crate::vertex::ScreenVertex;
 
 /// Where an edge crosses the centre lines of rows.
@@ -26,9 +26,17 @@ impl Edge {
         let (x, y) = (upper.x.to_bits(), upper.y.to_bits());
         let (dx, height) = (lower.x.to_bits() - x, lower.y.to_bits() - y);
         let down = (row << SUBPX_BITS) + HALF_PX - y;
-        // Positions have 23 bits and a sign.
-        let (along, excess) = ceil_div(i64::from(dx) * i64::from(down), height);
-        let (step, rest) = floor_div(i64::from(dx) << SUBPX_BITS, height);
+        let height = height.max(1);
+        let divider = Divider::new(height);
+        let (along, excess, step, rest);
+        if dx.unsigned_abs() < 1 << 18 && down < 1 << 12 {
+            // Less than 64 pixels across, and from its first row on.
+            (along, excess) = divider.ceil(dx * down);
+            (step, rest) = divider.floor(dx << SUBPX_BITS);
+        } else {
+            (along, excess) = divider.ceil_wide(i64::from(dx) * i64::from(down));
+            (step, rest) = divider.floor_wide(i64::from(dx) << SUBPX_BITS);
+        }
         Self {
             at: x + along + (HALF_PX - 1),
             excess,

@@ -1,0 +1,13 @@
+//! Tells the core whether the processor multiplies 32 by 32 bits to 64 and
+//! divides. Either way the results are the same; see `math::wide`.
+
+fn main() {
+    println!("cargo::rustc-check-cfg=cfg(narrow_multiply)");
+    println!("cargo::rerun-if-changed=build.rs");
+    let target = std::env::var("TARGET").unwrap_or_default();
+    // ARMv6-M and ARMv8-M Baseline: the product's low half only, no division on
+    // the former.
+    if target.starts_with("thumbv6m") || target.starts_with("thumbv8m.base") {
+        println!("cargo::rustc-cfg=narrow_multiply");
+    }
+}
