@@ -22,19 +22,16 @@ pub fn transform_meshlet(
     if fine.is_empty() {
         for (out, vertex) in out.iter_mut().zip(vertices) {
             let [x, y, z, normal] = vertex.map(i16::from_le);
-            let place = [x, y, z].map(i32::from);
-            *out = project(view, &clip_vertex(&rows, view, place, normal, None, lit));
+            let place = rows.apply([x, y, z]);
+            *out = project(view, &clip_vertex(view, place, normal, None, lit));
         }
         return;
     }
     for ((out, vertex), fine) in out.iter_mut().zip(vertices).zip(fine) {
         let [.., normal] = vertex.map(i16::from_le);
-        let place = fine_place(meshlet, *vertex, *fine);
+        let place = rows.apply_fine(fine_place(meshlet, *vertex, *fine));
         let [.., low] = *fine;
-        *out = project(
-            view,
-            &clip_vertex(&rows, view, place, normal, Some(low), lit),
-        );
+        *out = project(view, &clip_vertex(view, place, normal, Some(low), lit));
     }
 }
 
@@ -56,12 +53,15 @@ pub fn vertex(
     let (place, low) = match scene.meshlet_fine(meshlet, &view.mesh).get(index) {
         Some(fine) => {
             let [.., low] = *fine;
-            (fine_place(meshlet, vertex, *fine), Some(low))
+            (
+                rows.apply_fine(fine_place(meshlet, vertex, *fine)),
+                Some(low),
+            )
         }
-        None => ([x, y, z].map(i32::from), None),
+        None => (rows.apply([x, y, z]), None),
     };
     let lit = view.material.shading == Shading::Gouraud;
-    clip_vertex(rows, view, place, normal, low, lit)
+    clip_vertex(view, place, normal, low, lit)
 }
 
 /// A vertex of a fine mesh in grid steps from the base.
@@ -73,14 +73,12 @@ fn fine_place(meshlet: &Meshlet, vertex: [i16; 4], fine: [u8; 4]) -> [i32; 3] {
 
 #[inline(always)]
 fn clip_vertex(
-    rows: &MeshletRows,
     view: &ActorView,
-    place: [i32; 3],
+    [x, y, distance]: [i32; 3],
     normal: i16,
     low: Option<u8>,
     lit: bool,
 ) -> ClipVertex {
-    let [x, y, distance] = rows.apply(place);
     let level = if lit {
         let normal = normal.to_le_bytes().map(|b| b as i8);
         let level = match low {

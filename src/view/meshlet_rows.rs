@@ -1,6 +1,7 @@
 //! Grid point to clip coordinates.
 
-use super::{ActorView, ROW_FRACTION};
+use super::ActorView;
+use super::row::Row;
 use crate::scene::Meshlet;
 
 /// An actor's rows with a meshlet's base folded into the constants. The sum is
@@ -8,19 +9,12 @@ use crate::scene::Meshlet;
 /// meshlet that has it.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshletRows {
-    rows: [[i32; 3]; 3],
-    constants: [i64; 3],
+    rows: [Row; 3],
 }
 
 impl MeshletRows {
     /// For the vertices of `meshlet`.
     pub fn new(view: &ActorView, meshlet: &Meshlet) -> Self {
-        let [x, y, z] = meshlet.base.map(i64::from);
-        let mut constants = view.constants;
-        for (constant, row) in constants.iter_mut().zip(view.rows) {
-            let [a, b, c] = row.map(i64::from);
-            *constant += a * x + b * y + c * z;
-        }
         // Vertices of a fine mesh come in grid steps.
         let shifts = if view.mesh.fine.is_some() {
             [0; 3]
@@ -28,26 +22,36 @@ impl MeshletRows {
             meshlet.shifts
         };
         let [sx, sy, sz] = shifts.map(u32::from);
-        // A coefficient times a vertex's distance is within the mesh's reach,
-        // whichever of the two has the power of two.
-        let rows = view
-            .rows
-            .map(|[a, b, c]| [a.wrapping_shl(sx), b.wrapping_shl(sy), c.wrapping_shl(sz)]);
-        Self { rows, constants }
+        let [x, y, z] = meshlet.base.map(i64::from);
+        let ([rx, ry, rd], [cx, cy, cd]) = (view.rows, view.constants);
+        let row = |[a, b, c]: [i32; 3], constant: i64| {
+            let base = i64::from(a) * x + i64::from(b) * y + i64::from(c) * z;
+            // An entry times a vertex's distance is within the mesh's reach,
+            // whichever of the two has the power of two.
+            let entries = [a.wrapping_shl(sx), b.wrapping_shl(sy), c.wrapping_shl(sz)];
+            Row::new(entries, constant + base)
+        };
+        Self {
+            rows: [row(rx, cx), row(ry, cy), row(rd, cd)],
+        }
     }
 
-    /// Clip coordinates x, y and distance of a point near the base, in units of the
-    /// meshlet's shifts, or in grid steps for a fine mesh.
+    /// Clip coordinates x, y and distance of a vertex, in units of the meshlet's
+    /// shifts from its base.
     #[inline(always)]
-    pub fn apply(&self, [x, y, z]: [i32; 3]) -> [i32; 3] {
-        let (x, y, z) = (i64::from(x), i64::from(y), i64::from(z));
-        let [rx, ry, rd] = self.rows;
-        let [cx, cy, cd] = self.constants;
-        let sum = |[a, b, c]: [i32; 3], constant: i64| {
-            let sum = constant + i64::from(a) * x + i64::from(b) * y + i64::from(c) * z;
-            (sum >> ROW_FRACTION) as i32
-        };
-        [sum(rx, cx), sum(ry, cy), sum(rd, cd)]
+    pub fn apply(&self, place: [i16; 3]) -> [i32; 3] {
+        let [x, y, distance] = &self.rows;
+        [x.apply(place), y.apply(place), distance.apply(place)]
+    }
+
+    /// The same for a vertex of a fine mesh, in grid steps from the base.
+    pub fn apply_fine(&self, place: [i32; 3]) -> [i32; 3] {
+        let [x, y, distance] = &self.rows;
+        [
+            x.apply_wide(place),
+            y.apply_wide(place),
+            distance.apply_wide(place),
+        ]
     }
 
     /// Clip coordinates of the meshlet's base.

@@ -7,6 +7,7 @@ mod actor_view;
 mod depth_map;
 mod lights;
 mod meshlet_rows;
+mod row;
 mod view_frame;
 
 pub use actor_view::{ActorView, EyeInGrid};
