@@ -32,17 +32,16 @@ impl WideRow {
 
 /// Bits of the low part of an entry: a product with 16 bits, twice, and a low
 /// part of the constant stay within 31.
+#[cfg(any(narrow_multiply, test))]
 const LOW_BITS: u32 = 15;
+#[cfg(any(narrow_multiply, test))]
 const LOW: i32 = (1 << LOW_BITS) - 1;
 
 /// A row for cores that multiply 32 bits only: entries in two parts. The sum of
 /// the high parts is within 31 bits because the whole sum, a clip coordinate, is
 /// within 28 beyond its fraction.
 #[derive(Clone, Copy, Debug)]
-#[cfg_attr(
-    not(any(narrow_multiply, test)),
-    expect(dead_code, reason = "tested everywhere")
-)]
+#[cfg(any(narrow_multiply, test))]
 pub(super) struct SplitRow {
     high: [i32; 3],
     low: [i32; 3],
@@ -51,10 +50,7 @@ pub(super) struct SplitRow {
     wide: WideRow,
 }
 
-#[cfg_attr(
-    not(any(narrow_multiply, test)),
-    expect(dead_code, reason = "tested everywhere")
-)]
+#[cfg(any(narrow_multiply, test))]
 impl SplitRow {
     pub(super) fn new(entries: [i32; 3], constant: i64) -> Self {
         Self {
@@ -110,7 +106,9 @@ mod tests {
             place in any::<[i16; 3]>(),
         ) {
             let wide = WideRow::new(entries, constant).apply(place);
-            prop_assert_eq!(SplitRow::new(entries, constant).apply(place), wide);
+            let split = SplitRow::new(entries, constant);
+            prop_assert_eq!(split.apply(place), wide);
+            prop_assert_eq!(split.apply_wide(place.map(i32::from)), wide);
         }
     }
 }
