@@ -8,15 +8,14 @@
 //! two triangles of one edge share it without gap or overlap.
 
 mod attribute;
+mod attributes;
 mod edge;
 mod gradient;
 mod perspective;
+mod scan;
 mod sliver;
 mod span;
 mod triangle;
 
 pub use span::Fill;
 pub use triangle::{Drawn, Sides, draw_triangle};
-
-#[cfg(test)]
-mod tests;

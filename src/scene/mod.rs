@@ -4,15 +4,17 @@
 
 mod access;
 mod error;
+mod header;
 mod parse;
 mod pose;
 mod records;
 
 pub use error::{Field, SceneError, Section};
+pub use header::Header;
 pub use parse::Scene;
 pub use pose::{Camera, Placement, Pose, Projection};
 pub use records::{
-    Actor, ColourFormat, Cull, Header, Light, Material, Mesh, Meshlet, Record, Shading, checksum,
+    Actor, ColourFormat, Cull, Light, Material, Mesh, Meshlet, Record, Shading, checksum,
 };
 
 /// Sizes and limits of the blob.

@@ -1,8 +1,6 @@
 //! The records of a blob: what each word means, in both directions. The baker
 //! writes what is read here, so a format stands in one place.
 
-use super::layout;
-
 /// A record of fixed size, made of little-endian 32-bit words.
 pub trait Record: Sized {
     /// The words.
@@ -14,15 +12,15 @@ pub trait Record: Sized {
     fn to_words(&self) -> Self::Words;
 }
 
-fn i(word: u32) -> i32 {
+pub(super) fn i(word: u32) -> i32 {
     i32::from_le_bytes(word.to_ne_bytes())
 }
 
-fn u(word: u32) -> u32 {
+pub(super) fn u(word: u32) -> u32 {
     u32::from_le(word)
 }
 
-fn w(value: i32) -> u32 {
+pub(super) fn w(value: i32) -> u32 {
     (value as u32).to_le()
 }
 
@@ -58,138 +56,6 @@ impl ColourFormat {
         Self::Gray2,
         Self::Mono,
     ];
-}
-
-/// The header: all that a scene has once.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Header {
-    /// Bytes of the whole blob.
-    pub length: u32,
-    /// See [`checksum`].
-    pub checksum: u32,
-    /// Screen width in pixels, 1..=2048.
-    pub width: u16,
-    /// Screen height in pixels, 1..=2048.
-    pub height: u16,
-    /// Index into [`ColourFormat::ALL`].
-    pub colour_format: u8,
-    /// World units are scene units times 2 to this power.
-    pub world_exponent: i8,
-    /// The world's origin, in `2^centre_exponent` scene units: not 0 only if the
-    /// scene is far from its own origin.
-    pub world_centre: [i32; 3],
-    /// See `world_centre`.
-    pub centre_exponent: i8,
-    /// Frames in a full turn of every actor about its y axis; 0: none.
-    pub turntable: u32,
-    /// Eye, raw [`World`](crate::math::World) bits.
-    pub position: [i32; 3],
-    /// What is in the middle of the picture.
-    pub focal_point: [i32; 3],
-    /// Which way is up.
-    pub view_up: [i32; 3],
-    /// 0: perspective, 1: parallel.
-    pub projection: u8,
-    /// Perspective: tangent of half the vertical angle of view, in 2^-24.
-    /// Parallel: half the picture's height, raw world bits.
-    pub half_height: u32,
-    /// Power of two that `near` and `far` are in: 0..=11. Not 0 only where a
-    /// parallel view's range is far larger than its scene.
-    pub range_exponent: u8,
-    /// Distance of the near plane, raw world bits; above 0 for perspective.
-    pub near: i32,
-    /// Distance of the far plane; `i32::MAX`: none (perspective only).
-    pub far: i32,
-}
-
-impl Record for Header {
-    type Words = [u32; layout::HEADER_WORDS];
-
-    fn from_words(words: &Self::Words) -> Self {
-        let [
-            _,
-            _,
-            length,
-            checksum,
-            size,
-            format,
-            turntable,
-            p0,
-            p1,
-            p2,
-            f0,
-            f1,
-            f2,
-            u0,
-            u1,
-            u2,
-            projection,
-            half,
-            near,
-            far,
-            c0,
-            c1,
-            c2,
-            _,
-        ] = *words;
-        let [format, exponent, centre_exponent, range_exponent] = format.to_ne_bytes();
-        Self {
-            length: u(length),
-            checksum: u(checksum),
-            width: u(size) as u16,
-            height: (u(size) >> 16) as u16,
-            colour_format: format,
-            world_exponent: exponent as i8,
-            world_centre: [i(c0), i(c1), i(c2)],
-            centre_exponent: centre_exponent as i8,
-            turntable: u(turntable),
-            position: [i(p0), i(p1), i(p2)],
-            focal_point: [i(f0), i(f1), i(f2)],
-            view_up: [i(u0), i(u1), i(u2)],
-            projection: u(projection) as u8,
-            half_height: u(half),
-            range_exponent,
-            near: i(near),
-            far: i(far),
-        }
-    }
-
-    fn to_words(&self) -> Self::Words {
-        let size = u32::from(self.width) | u32::from(self.height) << 16;
-        let exponents = [self.world_exponent, self.centre_exponent].map(|e| e as u8);
-        let [world, centre] = exponents;
-        let format = [self.colour_format, world, centre, self.range_exponent];
-        let [c0, c1, c2] = self.world_centre.map(w);
-        let [p0, p1, p2] = self.position.map(w);
-        let [f0, f1, f2] = self.focal_point.map(w);
-        let [u0, u1, u2] = self.view_up.map(w);
-        [
-            layout::MAGIC.to_le(),
-            layout::VERSION.to_le(),
-            self.length.to_le(),
-            self.checksum.to_le(),
-            size.to_le(),
-            u32::from_ne_bytes(format),
-            self.turntable.to_le(),
-            p0,
-            p1,
-            p2,
-            f0,
-            f1,
-            f2,
-            u0,
-            u1,
-            u2,
-            u32::from(self.projection).to_le(),
-            self.half_height.to_le(),
-            w(self.near),
-            w(self.far),
-            c0,
-            c1,
-            c2,
-            0,
-        ]
-    }
 }
 
 /// A directional light.

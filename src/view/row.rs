@@ -16,6 +16,7 @@ impl WideRow {
     }
 
     /// `(entries . place + constant) >> ROW_FRACTION`.
+    #[cfg(any(not(narrow_multiply), test))]
     #[inline(always)]
     pub(super) fn apply(&self, place: [i16; 3]) -> i32 {
         self.apply_wide(place.map(i32::from))

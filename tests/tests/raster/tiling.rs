@@ -2,13 +2,11 @@
 //! edge functions say.
 
 use proptest::prelude::*;
-use std::vec;
-use std::vec::Vec;
 
 use super::{draw, hits, levels, raw};
-use crate::math::{HALF_PX, SUBPX_BITS};
-use crate::raster::Fill;
-use crate::vertex::ScreenVertex;
+use fixel::math::{HALF_PX, SUBPX_BITS};
+use fixel::raster::Fill;
+use fixel::vertex::ScreenVertex;
 
 const SIZE: (u16, u16) = (24, 18);
 

@@ -4,8 +4,8 @@
 use proptest::prelude::*;
 
 use super::{draw, levels, raw};
-use crate::math::{HALF_PX, SUBPX_BITS};
-use crate::raster::Fill;
+use fixel::math::{HALF_PX, SUBPX_BITS};
+use fixel::raster::Fill;
 
 const SIZE: (u16, u16) = (40, 30);
 

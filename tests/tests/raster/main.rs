@@ -4,13 +4,10 @@ mod coverage;
 mod planes;
 mod tiling;
 
-use std::vec;
-use std::vec::Vec;
-
-use super::{Fill, Sides, draw_triangle};
-use crate::frame::Band;
-use crate::math::{FineDepth, FineLevel, SUBPX_BITS, SubPx};
-use crate::vertex::{Rest, ScreenVertex};
+use fixel::frame::Band;
+use fixel::math::{FineDepth, FineLevel, SUBPX_BITS, SubPx};
+use fixel::raster::{Fill, Sides, draw_triangle};
+use fixel::vertex::{Rest, ScreenVertex};
 
 const BOTH: Sides = Sides {
     front: true,
@@ -18,12 +15,12 @@ const BOTH: Sides = Sides {
 };
 
 /// Identity: the index is the level.
-pub(super) fn levels() -> [u8; 256] {
+fn levels() -> [u8; 256] {
     std::array::from_fn(|i| i as u8)
 }
 
 /// A vertex by raw sub-pixels, raw depth (16.4) and raw level (8.6).
-pub(super) fn raw(x: i32, y: i32, z: u32, level: u16) -> ScreenVertex {
+fn raw(x: i32, y: i32, z: u32, level: u16) -> ScreenVertex {
     ScreenVertex {
         x: SubPx::from_bits(x),
         y: SubPx::from_bits(y),
@@ -35,14 +32,14 @@ pub(super) fn raw(x: i32, y: i32, z: u32, level: u16) -> ScreenVertex {
 }
 
 /// A vertex by pixels, halfway deep.
-pub(super) fn at(x: f64, y: f64) -> ScreenVertex {
+fn at(x: f64, y: f64) -> ScreenVertex {
     let one = f64::from(1 << SUBPX_BITS);
     raw((x * one) as i32, (y * one) as i32, 32768 << 4, 0)
 }
 
 /// Depths and indices of one triangle on a cleared screen, drawn in bands of
 /// `rows` rows.
-pub(super) fn draw(
+fn draw(
     triangle: [&ScreenVertex; 3],
     (width, height): (u16, u16),
     rows: u16,
@@ -50,7 +47,7 @@ pub(super) fn draw(
 ) -> (Vec<u16>, Vec<u8>) {
     let pixels = usize::from(width) * usize::from(rows);
     let (mut index, mut depth) = (vec![0; pixels], vec![0; pixels]);
-    let mut band = Band::new(width, &mut index, &mut depth).unwrap();
+    let mut band = Band::new(width, &mut index, &mut depth).expect("a band");
     let (mut all_depths, mut all_indices) = (Vec::new(), Vec::new());
     let mut top = 0;
     while top < height {
@@ -66,7 +63,7 @@ pub(super) fn draw(
 }
 
 /// How often each pixel is hit by triangles drawn one by one.
-pub(super) fn hits(triangles: &[[&ScreenVertex; 3]], size: (u16, u16), rows: u16) -> Vec<u8> {
+fn hits(triangles: &[[&ScreenVertex; 3]], size: (u16, u16), rows: u16) -> Vec<u8> {
     let mut counts = vec![0; usize::from(size.0) * usize::from(size.1)];
     for triangle in triangles {
         let (depths, _) = draw(*triangle, size, rows, Fill::Flat(1));

@@ -1,11 +1,8 @@
 //! Drawings whose digits are hit counts: a gap shows as 0, a pixel drawn twice
 //! as 2.
 
-use std::string::String;
-use std::vec::Vec;
-
 use super::{at, hits};
-use crate::vertex::ScreenVertex;
+use fixel::vertex::ScreenVertex;
 
 /// Draws triangles given by corners in pixels and compares with a drawing, in
 /// one band and in bands of one and of two rows.

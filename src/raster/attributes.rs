@@ -1,0 +1,105 @@
+//! What changes over a triangle: depth, and level or level times depth.
+
+use super::attribute::Attribute;
+use super::gradient::Plane;
+use super::perspective;
+use super::scan::Shape;
+use crate::math::SUBPX_BITS;
+
+/// What changes over a triangle, at the centre of one pixel: the top vertex's
+/// column in the current row.
+#[derive(Clone, Copy)]
+pub(super) struct Attributes {
+    pub z: Attribute,
+    pub level: Attribute,
+}
+
+impl Attributes {
+    #[inline(always)]
+    pub(super) fn depth(plane: &Plane, shape: &Shape<'_>, row: i32) -> Option<Self> {
+        let values = shape.sorted.map(|v| v.z.to_bits() as i32);
+        let mut z = attribute(plane, shape, values, 4, row)?;
+        if z.gradient.is_steep() {
+            z = steep_depth(shape, values, row).unwrap_or(z);
+        }
+        Some(Self {
+            z,
+            level: Attribute::default(),
+        })
+    }
+
+    #[inline(always)]
+    pub(super) fn depth_and_level(plane: &Plane, shape: &Shape<'_>, row: i32) -> Option<Self> {
+        let levels = shape.sorted.map(|v| i32::from(v.level.to_bits()));
+        let level = attribute(plane, shape, levels, 6, row)?;
+        Some(Self {
+            level,
+            ..Self::depth(plane, shape, row)?
+        })
+    }
+
+    /// Depth, and level times depth instead of the level.
+    pub(super) fn for_perspective(plane: &Plane, shape: &Shape<'_>, row: i32) -> Option<Self> {
+        let products = shape.sorted.map(perspective::level_times_depth);
+        // Whole units of 2^-30 are fine enough: no further fraction.
+        let level = attribute(plane, shape, products, 16, row)?;
+        Some(Self {
+            level,
+            ..Self::depth(plane, shape, row)?
+        })
+    }
+
+    #[inline(always)]
+    pub(super) fn advance(&mut self) {
+        self.z.advance();
+        self.level.advance();
+    }
+}
+
+/// The depth of a face so steep that the rounding of its vertices would show: its
+/// plane goes through the vertices as they were. `None` where that might leave
+/// the range of depths.
+#[cold]
+#[inline(never)]
+fn steep_depth(shape: &Shape<'_>, values: [i32; 3], row: i32) -> Option<Attribute> {
+    // A gradient of 2^15 units a pixel over half a sub-pixel: 4 units.
+    const ROOM: i32 = 8 << 4;
+    if values
+        .iter()
+        .any(|z| !(ROOM..=(65535 << 4) - ROOM).contains(z))
+    {
+        return None;
+    }
+    let (plane, place) = Plane::unrounded(shape.sorted, shape.area)?;
+    let [a, b, c] = values;
+    let gradient = plane.gradient(b - a, c - a, 4)?;
+    let [top, ..] = shape.sorted;
+    let column = top.x.to_bits() >> SUBPX_BITS;
+    Some(Attribute::unrounded(
+        (a as u32) << 12,
+        gradient,
+        place,
+        [column, row],
+    ))
+}
+
+/// An attribute with `fraction` fractional bits at the three vertices, on `row`;
+/// `None` if its gradient exceeds the format.
+#[inline(always)]
+fn attribute(
+    plane: &Plane,
+    shape: &Shape<'_>,
+    [a, b, c]: [i32; 3],
+    fraction: i32,
+    row: i32,
+) -> Option<Attribute> {
+    let gradient = plane.gradient(b - a, c - a, fraction)?;
+    let value = (a as u32) << (16 - fraction);
+    let [top, ..] = shape.sorted;
+    Some(Attribute::new(
+        value,
+        gradient,
+        [top.x.to_bits(), top.y.to_bits()],
+        row,
+    ))
+}

@@ -1,0 +1,178 @@
+//! The rows of a triangle, from its edges to its spans.
+
+use core::ops::Range;
+
+use super::attributes::Attributes;
+use super::edge::Edge;
+use super::gradient::Plane;
+use super::sliver;
+use super::span::Fill;
+use super::triangle::first_centre;
+use crate::frame::Target;
+use crate::math::{Depth, SUBPX_BITS};
+use crate::vertex::ScreenVertex;
+
+/// A triangle to be filled.
+pub(super) struct Shape<'a> {
+    /// From the highest to the lowest vertex.
+    pub sorted: [&'a ScreenVertex; 3],
+    /// Twice the area; positive if the middle vertex is right of the long edge.
+    pub area: i64,
+    /// Screen rows that it may touch, half-open.
+    pub rows: (i32, i32),
+}
+
+/// How a triangle's pixels get their attributes.
+enum Planes {
+    /// Not known yet: no pixel was found.
+    Unknown,
+    /// Stepped.
+    Stepped(Attributes),
+    /// Pixel by pixel.
+    Sliver,
+}
+
+/// Two edges between which rows are filled.
+struct Between<'e> {
+    left: &'e mut Edge,
+    right: &'e mut Edge,
+    width: i32,
+}
+
+impl Between<'_> {
+    /// The row's pixels, half-open; empty if the first is not below the second.
+    #[inline(always)]
+    fn span(&self) -> (i32, i32) {
+        (self.left.pixel().max(0), self.right.pixel().min(self.width))
+    }
+
+    #[inline(always)]
+    fn advance(&mut self) {
+        self.left.advance();
+        self.right.advance();
+    }
+}
+
+/// Walks the rows of a triangle. Attributes are set up by `setup` when the first
+/// pixel is found, and `draw` gets the pixels of each span and the columns from
+/// the attributes' place to the span's first pixel.
+#[inline(always)]
+pub(super) fn scan(
+    target: &mut Target<'_>,
+    shape: &Shape<'_>,
+    fill: Fill<'_>,
+    setup: impl Fn(&Plane, i32) -> Option<Attributes>,
+    draw: impl Fn(&mut [u8], &mut [Depth], &Attributes, i32),
+) {
+    let [top, middle, bottom] = shape.sorted;
+    let (first, end) = shape.rows;
+    let width = i32::from(target.width);
+    let column = top.x.to_bits() >> SUBPX_BITS;
+    let bend = first_centre(middle.y.to_bits()).max(first).min(end);
+    let band_top = i32::from(target.top);
+    let mut planes = Planes::Unknown;
+    let mut long = Edge::new(top, bottom, first);
+    for (from, to, upper, lower) in [(first, bend, top, middle), (bend, end, middle, bottom)] {
+        if from >= to {
+            continue;
+        }
+        let mut short = Edge::new(upper, lower, from);
+        // The long edge is on the left if the middle vertex is to its right.
+        let (left, right) = if shape.area > 0 {
+            (&mut long, &mut short)
+        } else {
+            (&mut short, &mut long)
+        };
+        let mut sides = Between { left, right, width };
+        let mut row = from;
+        if let Planes::Unknown = planes {
+            // The first rows of a triangle are often empty, all rows of a small one.
+            loop {
+                let (left, right) = sides.span();
+                if left < right {
+                    let plane = Plane::new(shape.sorted, shape.area);
+                    planes = setup(&plane, row).map_or(Planes::Sliver, Planes::Stepped);
+                    break;
+                }
+                sides.advance();
+                row += 1;
+                if row >= to {
+                    break;
+                }
+            }
+        }
+        let start = (row - band_top) * width;
+        match &mut planes {
+            Planes::Unknown => {}
+            Planes::Stepped(at) => {
+                let rows = Rows {
+                    start,
+                    count: to - row,
+                };
+                *at = step(target, rows, &mut sides, *at, column, &draw);
+            }
+            Planes::Sliver => sliver_rows(target, shape, fill, row..to, &mut sides),
+        }
+    }
+}
+
+/// Rows of a band that follow each other.
+#[derive(Clone, Copy)]
+struct Rows {
+    /// Index of the first one's first pixel.
+    start: i32,
+    count: i32,
+}
+
+/// Draws rows with stepped attributes; gives them as they are after the last row.
+#[inline(always)]
+fn step(
+    target: &mut Target<'_>,
+    rows: Rows,
+    sides: &mut Between<'_>,
+    mut at: Attributes,
+    column: i32,
+    draw: &impl Fn(&mut [u8], &mut [Depth], &Attributes, i32),
+) -> Attributes {
+    let mut start = rows.start;
+    for _ in 0..rows.count {
+        let (left, right) = sides.span();
+        if left < right {
+            let pixels = (start + left) as usize..(start + right) as usize;
+            if let (Some(indices), Some(depths)) = (
+                target.indices.get_mut(pixels.clone()),
+                target.depths.get_mut(pixels),
+            ) {
+                draw(indices, depths, &at, left - column);
+            }
+        }
+        at.advance();
+        start += sides.width;
+        sides.advance();
+    }
+    at
+}
+
+/// Draws rows of a triangle whose attributes cannot be stepped.
+#[cold]
+#[inline(never)]
+fn sliver_rows(
+    target: &mut Target<'_>,
+    shape: &Shape<'_>,
+    fill: Fill<'_>,
+    rows: Range<i32>,
+    sides: &mut Between<'_>,
+) {
+    for row in rows {
+        let (left, right) = sides.span();
+        let start = (row - i32::from(target.top)) * sides.width;
+        let pixels = (start + left) as usize..(start + right.max(left)) as usize;
+        if let (Some(indices), Some(depths)) = (
+            target.indices.get_mut(pixels.clone()),
+            target.depths.get_mut(pixels),
+        ) {
+            sliver::span(indices, depths, shape.sorted, shape.area, [left, row], fill);
+        }
+        sides.advance();
+    }
+}
