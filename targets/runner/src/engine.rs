@@ -32,7 +32,7 @@ impl EngineError {
 /// together.
 pub const MESHLETS: usize = 64;
 /// Meshlets that are kept from band to band.
-pub const SLOTS: usize = 10;
+pub const SLOTS: usize = 8;
 /// Actors whose matrices are kept.
 pub const ACTORS: usize = 4;
 /// The renderer's working memory of that size.
