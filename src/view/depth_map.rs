@@ -4,7 +4,7 @@ use super::ViewFrame;
 use crate::math::{FineDepth, Reciprocal, mul_high};
 
 /// Depth of a clip distance `d`: near / d for perspective, (far - d) /
-/// (far - near) for parallel, times 65535, held in 1..=65535 so that what is
+/// (far - near) for parallel, times 65535, held in 0.5..=65535 so that what is
 /// drawn differs from what is not.
 #[derive(Clone, Copy, Debug)]
 pub enum DepthMap {
@@ -27,6 +27,10 @@ pub enum DepthMap {
         shift: i32,
     },
 }
+
+/// The least depth, raw [`FineDepth`]: just rounds to 1, so that what lies on the
+/// far plane of a parallel view is drawn, and off by no more than that.
+const LEAST: i32 = 9;
 
 /// 65535 in raw [`FineDepth`].
 const ONE: u64 = 65535 << 4;
@@ -83,7 +87,7 @@ impl DepthMap {
                 base.saturating_sub(round_shift(mul_high(mantissa, behind), shift))
             }
         };
-        FineDepth::from_bits(depth.clamp(1 << 4, ONE as i32) as u32)
+        FineDepth::from_bits(depth.clamp(LEAST, ONE as i32) as u32)
     }
 }
 
