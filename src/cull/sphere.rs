@@ -2,7 +2,7 @@
 
 use super::Visible;
 use crate::math::{SUBPX_BITS, reciprocal};
-use crate::view::{ActorView, ROW_FRACTION};
+use crate::view::ActorView;
 
 /// What a sphere of `radius` grid steps about a point with clip coordinates
 /// `base` may touch; `None` if it is beyond a side.
@@ -14,7 +14,7 @@ pub(super) fn extent(
 ) -> Option<Visible> {
     let [x, y, distance] = base.map(i64::from);
     // Rounded up, and 2 for the coordinate's own rounding.
-    let grown = |length: i32| ((i64::from(radius) * i64::from(length)) >> ROW_FRACTION) + 2;
+    let grown = |length: i32| ((i64::from(radius) * i64::from(length)) >> view.row_fraction) + 2;
     let [_, length_y, length_d] = view.row_lengths;
     let (reach_y, reach_d) = (grown(length_y), grown(length_d));
     let (near, far) = (i64::from(view.near), i64::from(view.far));

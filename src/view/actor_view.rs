@@ -1,6 +1,6 @@
 //! One actor in one frame.
 
-use super::{DepthMap, Lens, ModelLights, ROW_FRACTION, ViewFrame};
+use super::{DepthMap, FINE_ROW_FRACTION, Lens, ModelLights, ROW_FRACTION, ViewFrame};
 use crate::math::{MAX_SCREEN, Rotation, SUBPX_BITS};
 use crate::scene::{Actor, Cull, Material, Mesh, Placement, Scene, Shading};
 
@@ -15,19 +15,21 @@ pub enum EyeInGrid {
 
 /// Grid points of one actor go through this to clip space.
 ///
-/// A clip coordinate is `(row . q + constant) >> ROW_FRACTION`, for rows x, y (down) and
+/// A clip coordinate is `(row . q + constant) >> row_fraction`, for rows x, y (down) and
 /// distance. All three are in one unit, chosen for the actor so that none
 /// exceeds `2^limit`; x and y are also scaled by the lens's mantissa. So the
 /// screen position is `x / distance * 2^lens.exponent` sub-pixels from the
 /// middle (perspective) or `x >> parallel_shift` (parallel).
 #[derive(Clone, Copy, Debug)]
 pub struct ActorView {
-    /// Coefficients, [`ROW_FRACTION`] fractional bits.
+    /// [`ROW_FRACTION`], or [`FINE_ROW_FRACTION`] for a fine mesh.
+    pub row_fraction: u32,
+    /// Coefficients, `row_fraction` fractional bits.
     pub rows: [[i32; 3]; 3],
-    /// Values at the grid's centre, [`ROW_FRACTION`] fractional bits.
+    /// Values at the grid's centre, `row_fraction` fractional bits.
     pub constants: [i64; 3],
     /// For each row, the length of its linear part: a sphere of radius r grid
-    /// steps changes the coordinate by at most `(r * this) >> ROW_FRACTION`.
+    /// steps changes the coordinate by at most `(r * this) >> row_fraction`.
     pub row_lengths: [i32; 3],
     /// The same for `x - k * distance` and `y - k * distance`, with k such that
     /// these are 0 at the screen's sides.
@@ -66,6 +68,7 @@ pub struct ActorView {
 impl ActorView {
     /// All zero, so that working memory starts as zeros: no actor's view.
     pub const ZERO: Self = Self {
+        row_fraction: ROW_FRACTION,
         rows: [[0; 3]; 3],
         constants: [0; 3],
         row_lengths: [0; 3],
@@ -129,7 +132,12 @@ impl ActorView {
 
         let kappa = i64::from(frame.lens.mantissa);
         let mantissa = i64::from(actor.step_mantissa);
-        let row_shift = actor.step_exponent + scale + ROW_FRACTION as i32 - 30;
+        let row_fraction = if mesh.fine.is_some() {
+            FINE_ROW_FRACTION
+        } else {
+            ROW_FRACTION
+        };
+        let row_shift = actor.step_exponent + scale + row_fraction as i32 - 30;
         let [x, y, z] = to_view
             .rows
             .map(|row| row.map(|c| (i64::from(c) * mantissa) >> 31));
@@ -141,7 +149,7 @@ impl ActorView {
             z.map(|c| fit(-c)),
         ];
         let [tx, ty, td] = centre;
-        let constant = |v: i64| shift_round(v, ROW_FRACTION as i32 - down);
+        let constant = |v: i64| shift_round(v, row_fraction as i32 - down);
         let constants = [
             constant(scale_q31(kappa, tx)),
             constant(scale_q31(kappa, ty)),
@@ -160,6 +168,7 @@ impl ActorView {
         let middle = [frame.width, frame.height].map(|s| i32::from(s) << (SUBPX_BITS - 1));
         let row_lengths = rows.map(row_length);
         Self {
+            row_fraction,
             rows,
             constants,
             row_lengths,

@@ -10,6 +10,7 @@ use crate::scene::Meshlet;
 #[derive(Clone, Copy, Debug)]
 pub struct MeshletRows {
     rows: [Row; 3],
+    fine: bool,
 }
 
 impl MeshletRows {
@@ -33,6 +34,7 @@ impl MeshletRows {
         };
         Self {
             rows: [row(rx, cx), row(ry, cy), row(rd, cd)],
+            fine: view.mesh.fine.is_some(),
         }
     }
 
@@ -48,14 +50,18 @@ impl MeshletRows {
     pub fn apply_fine(&self, place: [i32; 3]) -> [i32; 3] {
         let [x, y, distance] = &self.rows;
         [
-            x.apply_wide(place),
-            y.apply_wide(place),
-            distance.apply_wide(place),
+            x.apply_fine(place),
+            y.apply_fine(place),
+            distance.apply_fine(place),
         ]
     }
 
     /// Clip coordinates of the meshlet's base.
     pub fn base(&self) -> [i32; 3] {
-        self.apply([0; 3])
+        if self.fine {
+            self.apply_fine([0; 3])
+        } else {
+            self.apply([0; 3])
+        }
     }
 }

@@ -21,3 +21,6 @@ pub use view_frame::{Lens, ViewFrame};
 /// within 31 bits (a vertex has 15 and a sign, a clip coordinate 28). With 14, a
 /// cube's edges were off by 10^-4 pixels.
 pub const ROW_FRACTION: u32 = 17;
+
+/// The same for a fine mesh, whose vertices have all 22 bits themselves.
+pub const FINE_ROW_FRACTION: u32 = 22;

@@ -1,7 +1,7 @@
 //! One row of a matrix with its constant, applied to 16-bit places: exact until
 //! the one rounding at the end.
 
-use super::ROW_FRACTION;
+use super::{FINE_ROW_FRACTION, ROW_FRACTION};
 
 /// A row for cores that multiply and add 64 bits.
 #[derive(Clone, Copy, Debug)]
@@ -19,15 +19,19 @@ impl WideRow {
     #[cfg(any(not(narrow_multiply), test))]
     #[inline(always)]
     pub(super) fn apply(&self, place: [i16; 3]) -> i32 {
-        self.apply_wide(place.map(i32::from))
+        (self.sum(place.map(i32::from)) >> ROW_FRACTION) as i32
     }
 
-    /// The same for places of more than 16 bits.
+    /// The same for a place of a fine mesh: more than 16 bits, and
+    /// [`FINE_ROW_FRACTION`].
+    pub(super) fn apply_fine(&self, place: [i32; 3]) -> i32 {
+        (self.sum(place) >> FINE_ROW_FRACTION) as i32
+    }
+
     #[inline(always)]
-    pub(super) fn apply_wide(&self, [x, y, z]: [i32; 3]) -> i32 {
+    fn sum(&self, [x, y, z]: [i32; 3]) -> i64 {
         let [a, b, c] = self.entries.map(i64::from);
-        let sum = self.constant + a * i64::from(x) + b * i64::from(y) + c * i64::from(z);
-        (sum >> ROW_FRACTION) as i32
+        self.constant + a * i64::from(x) + b * i64::from(y) + c * i64::from(z)
     }
 }
 
@@ -80,9 +84,9 @@ impl SplitRow {
         high >> (ROW_FRACTION - LOW_BITS)
     }
 
-    /// As [`WideRow::apply_wide`].
-    pub(super) fn apply_wide(&self, place: [i32; 3]) -> i32 {
-        self.wide.apply_wide(place)
+    /// As [`WideRow::apply_fine`].
+    pub(super) fn apply_fine(&self, place: [i32; 3]) -> i32 {
+        self.wide.apply_fine(place)
     }
 }
 
@@ -109,7 +113,9 @@ mod tests {
             let wide = WideRow::new(entries, constant).apply(place);
             let split = SplitRow::new(entries, constant);
             prop_assert_eq!(split.apply(place), wide);
-            prop_assert_eq!(split.apply_wide(place.map(i32::from)), wide);
+            let place = place.map(i32::from);
+            let wide = WideRow::new(entries, constant).apply_fine(place);
+            prop_assert_eq!(split.apply_fine(place), wide);
         }
     }
 }
