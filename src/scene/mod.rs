@@ -43,6 +43,10 @@ pub mod layout {
     /// A mesh's stated radius is at least this, however small the mesh: what is
     /// smaller would need more bits in a matrix than there are.
     pub const LEAST_RADIUS: u32 = 1 << 20;
+    /// Range of an actor's step exponent: a mesh's reach, at most 2^22 steps of
+    /// less than twice that, stays within 2^23 world units, far beyond what a
+    /// world holds.
+    pub const STEP_EXPONENTS: (i32, i32) = (-64, 0);
     /// Largest shift of a meshlet's vertices: 16 bits and this span the grid.
     pub const MOST_SHIFT: u8 = 7;
 }

@@ -194,8 +194,8 @@ impl<'a> Scene<'a> {
                 i,
                 Field::Scale,
                 actor.step_exponent.into(),
-                -64,
-                32,
+                layout::STEP_EXPONENTS.0.into(),
+                layout::STEP_EXPONENTS.1.into(),
             )?;
             let (mesh, material) = (self.mesh(actor.mesh), self.material(actor.material));
             if material.shading == super::Shading::Flat {

@@ -170,7 +170,7 @@ pub struct Actor {
     /// World units a grid step: `step_mantissa * 2^(step_exponent - 31)`,
     /// mantissa in 2^31..2^32.
     pub step_mantissa: u32,
-    /// See `step_mantissa`; -64..=32.
+    /// See `step_mantissa`; within [`STEP_EXPONENTS`](super::layout::STEP_EXPONENTS).
     pub step_exponent: i32,
 }
 

@@ -122,7 +122,7 @@ impl ActorView {
 
         // A sphere about it, in the same units, and the actor's clip unit.
         let radius = (i64::from(mesh.radius) * i64::from(actor.step_mantissa)) >> 1;
-        let radius = shift(radius, actor.step_exponent) + 1;
+        let radius = shift(radius, actor.step_exponent).saturating_add(1);
         let farthest = centre.iter().fold(0, |m: i64, c| m.max(c.abs()));
         let reach = farthest.saturating_add(radius);
         let reach_bits = 64 - reach.leading_zeros() as i32;

@@ -1,6 +1,7 @@
 //! What the description says of camera, lights, materials and actors, in the
 //! blob's records.
 
+use fixel::scene::layout::STEP_EXPONENTS;
 use fixel::scene::{self as core_scene, Header};
 use fixel_scene::{ColourFormat, Cull, Light, LightKind, Material, Projection, Scene, Shading};
 use glam::DVec3;
@@ -151,7 +152,8 @@ pub(crate) fn actors(
         let name = &actor.name;
         let step = factor * f64::exp2(f64::from(units.exponent - grid.exponent));
         let (step_mantissa, step_exponent) = mantissa_exponent(step);
-        if !(-64..=32).contains(&step_exponent) {
+        let (least, most) = STEP_EXPONENTS;
+        if !(least..=most).contains(&step_exponent) {
             return Err(BakeError::Range {
                 what: format!("actor `{name}`: scale"),
                 value: *factor,
