@@ -1,6 +1,8 @@
 //! Blobs whose numbers are all in range, and as extreme as the range allows:
 //! whatever `Scene::parse` accepts is drawn without overflow or panic.
 
+use std::sync::LazyLock;
+
 use fixel::scene::layout;
 use fixel_bake::Baked;
 use fixel_host::{Options, render};
@@ -24,13 +26,12 @@ fn word() -> impl Strategy<Value = u32> {
     ]
 }
 
-fn small() -> Baked {
-    fixel_tests::load(&fixel_tests::root().join("tests/data/small.toml")).1
+fn baked(file: &str) -> Baked {
+    fixel_tests::load(&fixel_tests::root().join(file)).1
 }
 
-fn large() -> Baked {
-    fixel_tests::load(&fixel_tests::root().join("scenes/parallel.toml")).1
-}
+static SMALL: LazyLock<Baked> = LazyLock::new(|| baked("tests/data/small.toml"));
+static LARGE: LazyLock<Baked> = LazyLock::new(|| baked("scenes/parallel.toml"));
 
 /// The blob with some words replaced and the checksum made good.
 fn changed(baked: &Baked, changes: &[(usize, u32)]) -> Vec<u8> {
@@ -74,8 +75,8 @@ fn section(baked: &Baked, number: usize) -> usize {
 
 #[test]
 fn any_word_of_the_records_may_be_extreme() {
-    let baked = small();
-    let (lights, vertices) = (section(&baked, 3), section(&baked, 8));
+    let baked = &*SMALL;
+    let (lights, vertices) = (section(baked, 3), section(baked, 8));
     let mut count = 0;
     for at in CAMERA.chain(lights..vertices) {
         for bit in 0..32 {
@@ -84,29 +85,29 @@ fn any_word_of_the_records_may_be_extreme() {
                 (1u32 << bit).wrapping_sub(1),
                 (1u32 << bit).wrapping_neg(),
             ] {
-                count += usize::from(drawn(&changed(&baked, &[(at, value)])));
+                count += usize::from(drawn(&changed(baked, &[(at, value)])));
             }
         }
         for value in -70i32..70 {
-            count += usize::from(drawn(&changed(&baked, &[(at, value as u32)])));
+            count += usize::from(drawn(&changed(baked, &[(at, value as u32)])));
         }
     }
     assert!(count > 1000, "{count} drawn");
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(3000))]
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
 
     #[test]
     fn several_extreme_words_at_once(
         changes in prop::collection::vec((any::<prop::sample::Index>(), word()), 1..6),
         large_scene in prop::bool::weighted(0.1),
     ) {
-        let baked = if large_scene { large() } else { small() };
-        let lights = section(&baked, 3);
-        let places: Vec<usize> = CAMERA.chain(lights..section(&baked, 8)).collect();
+        let baked: &Baked = if large_scene { &LARGE } else { &SMALL };
+        let lights = section(baked, 3);
+        let places: Vec<usize> = CAMERA.chain(lights..section(baked, 8)).collect();
         let changes: Vec<(usize, u32)> =
             changes.iter().map(|(at, value)| (places[at.index(places.len())], *value)).collect();
-        drawn(&changed(&baked, &changes));
+        drawn(&changed(baked, &changes));
     }
 }
