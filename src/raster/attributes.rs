@@ -20,7 +20,7 @@ impl Attributes {
         let values = shape.sorted.map(|v| v.z.to_bits() as i32);
         let mut z = attribute(plane, shape, values, 4, row)?;
         if z.gradient.is_steep() {
-            z = steep_depth(shape, values, row).unwrap_or(z);
+            z = steep_depth(shape, values, row)?;
         }
         Some(Self {
             z,
@@ -58,7 +58,7 @@ impl Attributes {
 
 /// The depth of a face so steep that the rounding of its vertices would show: its
 /// plane goes through the vertices as they were. `None` where that might leave
-/// the range of depths.
+/// the range of depths, as at the near plane: such a triangle goes pixel by pixel.
 #[cold]
 #[inline(never)]
 fn steep_depth(shape: &Shape<'_>, values: [i32; 3], row: i32) -> Option<Attribute> {

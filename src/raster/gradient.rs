@@ -28,12 +28,33 @@ pub(super) struct Gradient {
 pub(super) const UNROUNDED_BITS: u32 = SUBPX_BITS + Rest::BITS;
 
 /// A vertex's place before rounding.
-fn unrounded(v: &ScreenVertex) -> [i32; 2] {
+fn unrounded(v: &ScreenVertex) -> Place {
     let [x, y] = v.rest.parts();
     [
         (v.x.to_bits() << Rest::BITS) + x,
         (v.y.to_bits() << Rest::BITS) + y,
     ]
+}
+
+/// A place before rounding, [`UNROUNDED_BITS`] fractional bits.
+pub(super) type Place = [i32; 2];
+
+/// The vertices' places before rounding and their doubled area, if that has the
+/// sign of `area`; in a sliver it may not, and the rounded ones are given.
+pub(super) fn places(sorted: [&ScreenVertex; 3], area: i64) -> ([Place; 3], i64) {
+    unrounded_places(sorted, area).unwrap_or_else(|| {
+        let wide = |v: &ScreenVertex| [v.x, v.y].map(|c| c.to_bits() << Rest::BITS);
+        (sorted.map(wide), area << (2 * Rest::BITS))
+    })
+}
+
+fn unrounded_places(sorted: [&ScreenVertex; 3], area: i64) -> Option<([Place; 3], i64)> {
+    let places = sorted.map(unrounded);
+    let [[ax, ay], [bx, by], [cx, cy]] = places;
+    let side = |p: i32, q: i32| i64::from(p) - i64::from(q);
+    let exact = side(bx, ax) * side(cy, ay) - side(cx, ax) * side(by, ay);
+    let same_side = (exact > 0 && area > 0) || (exact < 0 && area < 0);
+    same_side.then_some((places, exact))
 }
 
 /// Differences below this multiply to 30 bits and a sign, and add to 31.
@@ -54,14 +75,10 @@ impl Plane {
     /// For the vertices as they were before rounding, and the first one's place;
     /// `None` if the doubled area differs in sign from `area`, as it may in a
     /// sliver.
-    pub(super) fn unrounded(sorted: [&ScreenVertex; 3], area: i64) -> Option<(Self, [i32; 2])> {
-        let places = sorted.map(unrounded);
-        let [a, [bx, by], [cx, cy]] = places;
-        let [ax, ay] = a;
-        let side = |p: i32, q: i32| i64::from(p) - i64::from(q);
-        let exact = side(bx, ax) * side(cy, ay) - side(cx, ax) * side(by, ay);
-        let same_side = (exact > 0 && area > 0) || (exact < 0 && area < 0);
-        same_side.then(|| (Self::of(places, exact, UNROUNDED_BITS as i32), a))
+    pub(super) fn unrounded(sorted: [&ScreenVertex; 3], area: i64) -> Option<(Self, Place)> {
+        let (places, exact) = unrounded_places(sorted, area)?;
+        let [first, ..] = places;
+        Some((Self::of(places, exact, UNROUNDED_BITS as i32), first))
     }
 
     #[inline(always)]

@@ -1,10 +1,12 @@
-//! Triangles whose attributes change by more than the format's range a pixel:
-//! thinner than two pixels, however long. Each pixel is worked out by itself, by
+//! Triangles whose attributes change by more than the format's range a pixel
+//! (thinner than two pixels, however long), and steep ones that reach an end of
+//! the range of depths. Each pixel is worked out by itself, by
 //! barycentric weights from exact edge functions (Pineda, "A parallel algorithm
 //! for polygon rasterization", 1988), and held within the vertices' range.
 
+use super::gradient::{Place, UNROUNDED_BITS, places};
 use super::span::Fill;
-use crate::math::{Depth, HALF_PX, SUBPX_BITS};
+use crate::math::Depth;
 use crate::vertex::ScreenVertex;
 
 /// Fractional bits of a weight.
@@ -21,10 +23,11 @@ pub(super) fn span(
     [column, row]: [i32; 2],
     fill: Fill<'_>,
 ) {
+    let (places, area) = places(triangle, area);
     let depth_values = triangle.map(|v| i64::from(v.z.to_bits()));
     let levels = triangle.map(|v| i64::from(v.level.to_bits()));
     for ((pixel, depth), column) in indices.iter_mut().zip(depths).zip(column..) {
-        let weights = weights(triangle, area, [column, row]);
+        let weights = weights(places, area, [column, row]);
         let here = (mix(depth_values, weights) + (1 << 3)) >> 4;
         if here <= i64::from(*depth) {
             continue;
@@ -41,25 +44,24 @@ pub(super) fn span(
 }
 
 /// Weights of the second and the third vertex at a pixel's centre.
-fn weights([a, b, c]: [&ScreenVertex; 3], area: i64, pixel: [i32; 2]) -> [i64; 2] {
-    let [px, py] = pixel.map(|p| i64::from((p << SUBPX_BITS) + HALF_PX));
-    let from = |v: &ScreenVertex| [px - i64::from(v.x.to_bits()), py - i64::from(v.y.to_bits())];
-    let edge = |p: &ScreenVertex, q: &ScreenVertex| {
-        let [dx, dy] = from(p);
-        let (ex, ey) = (
-            i64::from((q.x - p.x).to_bits()),
-            i64::from((q.y - p.y).to_bits()),
-        );
-        ex * dy - dx * ey
+fn weights([a, b, c]: [Place; 3], area: i64, pixel: [i32; 2]) -> [i64; 2] {
+    const HALF: i64 = 1 << (UNROUNDED_BITS - 1);
+    let [px, py] = pixel.map(|p| (i64::from(p) << UNROUNDED_BITS) + HALF);
+    let edge = |p: Place, q: Place| {
+        let ([ax, ay], [bx, by]) = (p.map(i64::from), q.map(i64::from));
+        (bx - ax) * (py - ay) - (px - ax) * (by - ay)
     };
-    // 49 bits at most, with the weight's fraction 63: the rest is dropped on both
-    // sides of the quotient.
+    // An edge's value is at most the area, or, of a pixel that only rounding put
+    // inside, 33 bits. With the weight's fraction it has to fit 60: the rest is
+    // dropped on both sides of the quotient.
     let down = (64 - area.unsigned_abs().leading_zeros()).saturating_sub(40);
     let part = |e: i64| {
         let quotient = ((e >> down) << WEIGHT_BITS)
             .checked_div(area >> down)
             .unwrap_or(0);
-        quotient.clamp(0, 1 << WEIGHT_BITS)
+        // Beyond an edge where only rounding put the pixel inside: the mean is
+        // held within the vertices' range.
+        quotient.clamp(-1 << WEIGHT_BITS, 2 << WEIGHT_BITS)
     };
     [part(edge(c, a)), part(edge(a, b))]
 }

@@ -2,6 +2,7 @@
 
 mod coverage;
 mod planes;
+mod steep;
 mod tiling;
 
 use fixel::frame::Band;
