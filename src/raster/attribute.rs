@@ -47,6 +47,15 @@ impl Attribute {
         }
     }
 
+    /// The same without the half that makes cutting off the fraction round.
+    #[inline(always)]
+    pub(super) fn unrounded_value(self) -> Self {
+        Self {
+            at_row: self.at_row.wrapping_sub(1 << 15),
+            ..self
+        }
+    }
+
     /// The value `columns` to the right.
     #[inline(always)]
     pub(super) fn at(&self, columns: i32) -> u32 {

@@ -44,7 +44,7 @@ impl Attributes {
         // Whole units of 2^-30 are fine enough: no further fraction.
         let level = attribute(plane, shape, products, 16, row)?;
         Some(Self {
-            level,
+            level: level.unrounded_value(),
             ..Self::depth(plane, shape, row)?
         })
     }

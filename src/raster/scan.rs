@@ -20,6 +20,8 @@ pub(super) struct Shape<'a> {
     pub area: i64,
     /// Screen rows that it may touch, half-open.
     pub rows: (i32, i32),
+    /// Whether levels are interpolated in perspective.
+    pub perspective: bool,
 }
 
 /// How a triangle's pixels get their attributes.
@@ -171,7 +173,7 @@ fn sliver_rows(
             target.indices.get_mut(pixels.clone()),
             target.depths.get_mut(pixels),
         ) {
-            sliver::span(indices, depths, shape.sorted, shape.area, [left, row], fill);
+            sliver::span(indices, depths, shape, [left, row], fill);
         }
         sides.advance();
     }

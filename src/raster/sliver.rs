@@ -5,30 +5,30 @@
 //! for polygon rasterization", 1988), and held within the vertices' range.
 
 use super::gradient::{Place, UNROUNDED_BITS, places};
+use super::scan::Shape;
 use super::span::Fill;
 use crate::math::Depth;
-use crate::vertex::ScreenVertex;
 
 /// Fractional bits of a weight.
 const WEIGHT_BITS: u32 = 20;
 
-/// Fills pixels of one row from `column` on. `area` is the doubled area.
+/// Fills pixels of one row from `column` on.
 #[cold]
 #[inline(never)]
 pub(super) fn span(
     indices: &mut [u8],
     depths: &mut [Depth],
-    triangle: [&ScreenVertex; 3],
-    area: i64,
+    shape: &Shape<'_>,
     [column, row]: [i32; 2],
     fill: Fill<'_>,
 ) {
-    let (places, area) = places(triangle, area);
-    let depth_values = triangle.map(|v| i64::from(v.z.to_bits()));
-    let levels = triangle.map(|v| i64::from(v.level.to_bits()));
+    let (places, area) = places(shape.sorted, shape.area);
+    let depth_values = shape.sorted.map(|v| i64::from(v.z.to_bits()));
+    let levels = shape.sorted.map(|v| i64::from(v.level.to_bits()));
     for ((pixel, depth), column) in indices.iter_mut().zip(depths).zip(column..) {
         let weights = weights(places, area, [column, row]);
-        let here = (mix(depth_values, weights) + (1 << 3)) >> 4;
+        let fine_depth = mix(depth_values, weights);
+        let here = (fine_depth + (1 << 3)) >> 4;
         if here <= i64::from(*depth) {
             continue;
         }
@@ -36,6 +36,11 @@ pub(super) fn span(
         *pixel = match fill {
             Fill::Flat(index) => index,
             Fill::Gouraud(shades) => {
+                let weights = if shape.perspective {
+                    in_space(depth_values, weights, fine_depth)
+                } else {
+                    weights
+                };
                 let level = (mix(levels, weights) + (1 << 5)) >> 6;
                 shades.get(level as usize).copied().unwrap_or(0)
             }
@@ -64,6 +69,15 @@ fn weights([a, b, c]: [Place; 3], area: i64, pixel: [i32; 2]) -> [i64; 2] {
         quotient.clamp(-1 << WEIGHT_BITS, 2 << WEIGHT_BITS)
     };
     [part(edge(c, a)), part(edge(a, b))]
+}
+
+/// Weights in space from those on the screen: each times the vertex's depth, over
+/// the depth here.
+fn in_space([_, b, c]: [i64; 3], [wb, wc]: [i64; 2], here: i64) -> [i64; 2] {
+    [wb * b, wc * c].map(|w| {
+        let weight = w.checked_div(here).unwrap_or(0);
+        weight.clamp(-1 << WEIGHT_BITS, 2 << WEIGHT_BITS)
+    })
 }
 
 /// The weighted mean, held within the three values.

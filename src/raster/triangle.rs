@@ -99,7 +99,12 @@ fn fill_triangle(
     fill: Fill<'_>,
 ) {
     let (sorted, area) = sort(triangle, area);
-    let shape = Shape { sorted, area, rows };
+    let shape = Shape {
+        sorted,
+        area,
+        rows,
+        perspective: perspective && matches!(fill, Fill::Gouraud(_)) && perspective::shows(sorted),
+    };
     match fill {
         Fill::Flat(index) => scan(
             target,
@@ -110,7 +115,7 @@ fn fill_triangle(
                 span::flat(indices, depths, at.z.at(columns), at.z.gradient.x, index);
             },
         ),
-        Fill::Gouraud(shades) if perspective && perspective::shows(sorted) => scan(
+        Fill::Gouraud(shades) if shape.perspective => scan(
             target,
             &shape,
             fill,

@@ -1,6 +1,7 @@
 //! Coverage as drawings, tilings, bands, and attributes against exact planes.
 
 mod coverage;
+mod perspective;
 mod planes;
 mod steep;
 mod tiling;
