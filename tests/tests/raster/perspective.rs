@@ -82,8 +82,8 @@ proptest! {
                 continue;
             };
             let end = row.iter().rposition(|z| *z != 0).map_or(start, |last| last + 1);
-            for x in start..end {
-                let got = f64::from(levels[x]);
+            for (x, got) in levels.iter().enumerate().take(end).skip(start) {
+                let got = f64::from(*got);
                 prop_assert!(got >= low - 1.0 && got <= high + 1.0, "level {} leaves {}..{}", got, low, high);
                 let from = start + (x - start) / RUN * RUN;
                 let to = (from + RUN).min(end) - 1;
