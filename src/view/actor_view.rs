@@ -68,7 +68,7 @@ pub struct ActorView {
 impl ActorView {
     /// All zero, so that working memory starts as zeros: no actor's view.
     pub const ZERO: Self = Self {
-        row_fraction: ROW_FRACTION,
+        row_fraction: 0,
         rows: [[0; 3]; 3],
         constants: [0; 3],
         row_lengths: [0; 3],
