@@ -3,7 +3,7 @@
 use super::attribute::Attribute;
 use super::gradient::Plane;
 use super::perspective;
-use super::scan::Shape;
+use super::scan::{Shape, Stepped};
 use crate::math::SUBPX_BITS;
 
 /// What changes over a triangle, at the centre of one pixel: the top vertex's
@@ -48,9 +48,11 @@ impl Attributes {
             ..Self::depth(plane, shape, row)?
         })
     }
+}
 
+impl Stepped for Attributes {
     #[inline(always)]
-    pub(super) fn advance(&mut self) {
+    fn advance(&mut self) {
         self.z.advance();
         self.level.advance();
     }

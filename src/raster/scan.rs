@@ -2,14 +2,11 @@
 
 use core::ops::Range;
 
-use super::attributes::Attributes;
 use super::edge::Edge;
 use super::gradient::Plane;
-use super::sliver;
-use super::span::Fill;
 use super::triangle::first_centre;
 use crate::frame::Target;
-use crate::math::{Depth, SUBPX_BITS};
+use crate::math::Depth;
 use crate::vertex::ScreenVertex;
 
 /// A triangle to be filled.
@@ -24,12 +21,18 @@ pub(super) struct Shape<'a> {
     pub perspective: bool,
 }
 
+/// What changes over a triangle, held for one row.
+pub(super) trait Stepped: Copy {
+    /// On to the next row.
+    fn advance(&mut self);
+}
+
 /// How a triangle's pixels get their attributes.
-enum Planes {
+enum Planes<A> {
     /// Not known yet: no pixel was found.
     Unknown,
     /// Stepped.
-    Stepped(Attributes),
+    Stepped(A),
     /// Pixel by pixel.
     Sliver,
 }
@@ -55,21 +58,28 @@ impl Between<'_> {
     }
 }
 
+/// The pixels of a span.
+pub(super) struct Span<'t> {
+    pub indices: &'t mut [u8],
+    pub depths: &'t mut [Depth],
+    /// Screen column and row of the first one.
+    pub place: [i32; 2],
+}
+
 /// Walks the rows of a triangle. Attributes are set up by `setup` when the first
-/// pixel is found, and `draw` gets the pixels of each span and the columns from
-/// the attributes' place to the span's first pixel.
+/// pixel is found; `draw` gets each span, and `sliver` those of a triangle for
+/// which `setup` found none.
 #[inline(always)]
-pub(super) fn scan(
+pub(super) fn scan<A: Stepped>(
     target: &mut Target<'_>,
     shape: &Shape<'_>,
-    fill: Fill<'_>,
-    setup: impl Fn(&Plane, i32) -> Option<Attributes>,
-    draw: impl Fn(&mut [u8], &mut [Depth], &Attributes, i32),
+    setup: impl Fn(&Plane, i32) -> Option<A>,
+    mut draw: impl FnMut(Span<'_>, &A),
+    mut sliver: impl FnMut(Span<'_>),
 ) {
     let [top, middle, bottom] = shape.sorted;
     let (first, end) = shape.rows;
     let width = i32::from(target.width);
-    let column = top.x.to_bits() >> SUBPX_BITS;
     let bend = first_centre(middle.y.to_bits()).max(first).min(end);
     let band_top = i32::from(target.top);
     let mut planes = Planes::Unknown;
@@ -107,13 +117,10 @@ pub(super) fn scan(
         match &mut planes {
             Planes::Unknown => {}
             Planes::Stepped(at) => {
-                let rows = Rows {
-                    start,
-                    count: to - row,
-                };
-                *at = step(target, rows, &mut sides, *at, column, &draw);
+                let rows = Rows { start, row, to };
+                *at = step(target, rows, &mut sides, *at, &mut draw);
             }
-            Planes::Sliver => sliver_rows(target, shape, fill, row..to, &mut sides),
+            Planes::Sliver => sliver_rows(target, row..to, &mut sides, &mut sliver),
         }
     }
 }
@@ -123,21 +130,22 @@ pub(super) fn scan(
 struct Rows {
     /// Index of the first one's first pixel.
     start: i32,
-    count: i32,
+    /// Screen rows, half-open.
+    row: i32,
+    to: i32,
 }
 
 /// Draws rows with stepped attributes; gives them as they are after the last row.
 #[inline(always)]
-fn step(
+fn step<A: Stepped>(
     target: &mut Target<'_>,
     rows: Rows,
     sides: &mut Between<'_>,
-    mut at: Attributes,
-    column: i32,
-    draw: &impl Fn(&mut [u8], &mut [Depth], &Attributes, i32),
-) -> Attributes {
+    mut at: A,
+    draw: &mut impl FnMut(Span<'_>, &A),
+) -> A {
     let mut start = rows.start;
-    for _ in 0..rows.count {
+    for row in rows.row..rows.to {
         let (left, right) = sides.span();
         if left < right {
             let pixels = (start + left) as usize..(start + right) as usize;
@@ -145,7 +153,13 @@ fn step(
                 target.indices.get_mut(pixels.clone()),
                 target.depths.get_mut(pixels),
             ) {
-                draw(indices, depths, &at, left - column);
+                let place = [left, row];
+                let span = Span {
+                    indices,
+                    depths,
+                    place,
+                };
+                draw(span, &at);
             }
         }
         at.advance();
@@ -160,10 +174,9 @@ fn step(
 #[inline(never)]
 fn sliver_rows(
     target: &mut Target<'_>,
-    shape: &Shape<'_>,
-    fill: Fill<'_>,
     rows: Range<i32>,
     sides: &mut Between<'_>,
+    sliver: &mut dyn FnMut(Span<'_>),
 ) {
     for row in rows {
         let (left, right) = sides.span();
@@ -173,7 +186,12 @@ fn sliver_rows(
             target.indices.get_mut(pixels.clone()),
             target.depths.get_mut(pixels),
         ) {
-            sliver::span(indices, depths, shape, [left, row], fill);
+            let place = [left, row];
+            sliver(Span {
+                indices,
+                depths,
+                place,
+            });
         }
         sides.advance();
     }

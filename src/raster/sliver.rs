@@ -5,23 +5,22 @@
 //! for polygon rasterization", 1988), and held within the vertices' range.
 
 use super::gradient::{Place, UNROUNDED_BITS, places};
-use super::scan::Shape;
+use super::scan::{Shape, Span};
 use super::span::Fill;
 use crate::math::Depth;
 
 /// Fractional bits of a weight.
 const WEIGHT_BITS: u32 = 20;
 
-/// Fills pixels of one row from `column` on.
+/// Fills a span.
 #[cold]
 #[inline(never)]
-pub(super) fn span(
-    indices: &mut [u8],
-    depths: &mut [Depth],
-    shape: &Shape<'_>,
-    [column, row]: [i32; 2],
-    fill: Fill<'_>,
-) {
+pub(super) fn span(span: Span<'_>, shape: &Shape<'_>, fill: Fill<'_>) {
+    let Span {
+        indices,
+        depths,
+        place: [column, row],
+    } = span;
     let (places, area) = places(shape.sorted, shape.area);
     let depth_values = shape.sorted.map(|v| i64::from(v.z.to_bits()));
     let levels = shape.sorted.map(|v| i64::from(v.level.to_bits()));

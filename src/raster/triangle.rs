@@ -2,7 +2,8 @@
 
 use super::attributes::Attributes;
 use super::perspective;
-use super::scan::{Shape, scan};
+use super::scan::{Shape, Span, scan};
+use super::sliver;
 use super::span::{self, Fill};
 use crate::frame::Target;
 use crate::math::{HALF_PX, SUBPX_BITS};
@@ -105,35 +106,55 @@ fn fill_triangle(
         rows,
         perspective: perspective && matches!(fill, Fill::Gouraud(_)) && perspective::shows(sorted),
     };
+    let [top, ..] = sorted;
+    let column = top.x.to_bits() >> SUBPX_BITS;
+    let sliver = |span: Span<'_>| sliver::span(span, &shape, fill);
     match fill {
         Fill::Flat(index) => scan(
             target,
             &shape,
-            fill,
             |plane, row| Attributes::depth(plane, &shape, row),
-            |indices, depths, at, columns| {
-                span::flat(indices, depths, at.z.at(columns), at.z.gradient.x, index);
+            |Span {
+                 indices,
+                 depths,
+                 place: [left, _],
+             },
+             at| {
+                let z = at.z.at(left - column);
+                span::flat(indices, depths, z, at.z.gradient.x, index);
             },
+            sliver,
         ),
         Fill::Gouraud(shades) if shape.perspective => scan(
             target,
             &shape,
-            fill,
             |plane, row| Attributes::for_perspective(plane, &shape, row),
-            |indices, depths, at, columns| {
+            |Span {
+                 indices,
+                 depths,
+                 place: [left, _],
+             },
+             at| {
+                let columns = left - column;
                 perspective::gouraud(indices, depths, (&at.z, &at.level), columns, shades);
             },
+            sliver,
         ),
         Fill::Gouraud(shades) => scan(
             target,
             &shape,
-            fill,
             |plane, row| Attributes::depth_and_level(plane, &shape, row),
-            |indices, depths, at, columns| {
-                let z = (at.z.at(columns), at.z.gradient.x);
-                let level = (at.level.at(columns), at.level.gradient.x);
+            |Span {
+                 indices,
+                 depths,
+                 place: [left, _],
+             },
+             at| {
+                let z = (at.z.at(left - column), at.z.gradient.x);
+                let level = (at.level.at(left - column), at.level.gradient.x);
                 span::gouraud(indices, depths, z, level, shades);
             },
+            sliver,
         ),
     }
 }
