@@ -7,6 +7,7 @@ use fixel_scene::Scene;
 use crate::BakeError;
 use crate::instance::instances;
 use crate::mesh::{Parts, Source};
+use crate::not_yet;
 use crate::palette::tables;
 use crate::records::{actors, header, light, material};
 use crate::units::Units;
@@ -64,6 +65,7 @@ impl Baked {
 /// If the scene has more of something than the format holds, a number out of
 /// its range, or asks for what the renderer cannot do yet.
 pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
+    not_yet::check(scene)?;
     at_most("actors", scene.actors.len(), 65535)?;
     at_most("materials", scene.materials.len(), 65535)?;
     at_most("lights with a direction", scene.lights.len(), LIGHTS)?;

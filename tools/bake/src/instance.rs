@@ -76,7 +76,7 @@ pub(crate) fn instances(scene: &Scene) -> (Vec<Instance>, Vec<(usize, f64)>) {
         });
         match scene.materials[actor.material].shading {
             Shading::Flat => instances[which].flat = true,
-            Shading::Gouraud => instances[which].smooth = true,
+            Shading::Gouraud | Shading::Phong => instances[which].smooth = true,
         }
         uses.push((which, factor));
     }

@@ -11,6 +11,7 @@ mod instance;
 mod mesh;
 mod meshlet;
 mod normal;
+mod not_yet;
 mod oklab;
 mod palette;
 mod records;

@@ -100,14 +100,12 @@ fn range(scene: &Scene, units: &Units, projection: u8) -> Result<(i32, i32, u8),
 }
 
 pub(crate) fn light(light: &Light) -> Result<core_scene::Light, BakeError> {
-    let LightKind::Directional { direction } = light.kind;
-    let [r, g, b] = light.colour;
-    if r != g || g != b {
+    let LightKind::Directional { direction } = light.kind else {
         return Err(BakeError::NotYet {
-            what: "a coloured light".into(),
+            what: "a light at a place".into(),
         });
-    }
-    let intensity = light.intensity * r;
+    };
+    let intensity = light.intensity * light.colour[0];
     if !(0.0..=32.0).contains(&intensity) {
         return Err(BakeError::Range {
             what: "light.intensity".into(),
@@ -124,7 +122,7 @@ pub(crate) fn material(scene: &Scene, shade: u16, material: &Material) -> core_s
     core_scene::Material {
         shading: match material.shading {
             Shading::Flat => core_scene::Shading::Flat,
-            Shading::Gouraud => core_scene::Shading::Gouraud,
+            Shading::Gouraud | Shading::Phong => core_scene::Shading::Gouraud,
         },
         cull: match material.cull {
             Cull::Back => core_scene::Cull::Back,

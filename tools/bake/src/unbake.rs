@@ -130,7 +130,6 @@ fn material(number: u16, material: &core_scene::Material, colour: Rgb) -> Materi
         diffuse_colour: colour,
         ambient: f64::from(material.ambient) / (64.0 * 255.0),
         diffuse: f64::from(material.diffuse) / 65536.0,
-        emission: 0.0,
         shading: match material.shading {
             core_scene::Shading::Flat => Shading::Flat,
             core_scene::Shading::Gouraud => Shading::Gouraud,
@@ -140,6 +139,7 @@ fn material(number: u16, material: &core_scene::Material, colour: Rgb) -> Materi
             core_scene::Cull::Front => Cull::Front,
             core_scene::Cull::None => Cull::None,
         },
+        ..Material::default()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use fixel::Scene;
 use fixel_bake::Baked;
-use fixel_reference::{Frame, Lookup, NO_TRIANGLE};
+use fixel_reference::{Frame, Lookup, NO_TRIANGLE, Path};
 
 use crate::planes::{self, Options};
 use crate::{Planes, shown};
@@ -33,7 +33,10 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
         triangle: triangle
             .map(|(id, there)| if *there { source(id) } else { NO_TRIANGLE })
             .collect(),
-        level: planes::levels(scene, options),
+        light: planes::levels(scene, options)
+            .into_iter()
+            .map(|level| [level; 3])
+            .collect(),
         rgb: drawn
             .index
             .iter()
@@ -42,9 +45,10 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
         index: drawn.index.clone(),
         depth: drawn.depth.clone(),
         lookup: Lookup {
-            shade: (0..scene.material_count())
-                .map(|m| *scene.shade(&scene.material(m)))
+            paths: (0..scene.material_count())
+                .map(|m| Path::Level(Box::new(*scene.shade(&scene.material(m)))))
                 .collect(),
+            colours: Vec::new(),
             background: (0..options.height)
                 .map(|y| scene.background(y, options.height))
                 .collect(),

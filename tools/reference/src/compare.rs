@@ -3,7 +3,7 @@
 use crate::frame::{Frame, FrameError};
 use crate::metric::{Differences, Psnr, percent};
 use crate::report::{Mismatch, MismatchKind, Report};
-use crate::truth::Truth;
+use crate::truth::{Hit, Truth};
 
 /// How many mismatching pixels a report names.
 const LISTED: usize = 20;
@@ -32,7 +32,7 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
             Pixel::Same => {
                 if let Some(hit) = &truth.pixels[i] {
                     depth.add(i, f64::from(frame.depth[i]) - hit.depth_lsb, 1.0);
-                    level.add(i, f64::from(frame.level[i]) - hit.level, 2.0);
+                    level.add(i, light_difference(frame, hit, i), 2.0);
                 }
                 None
             }
@@ -86,6 +86,14 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
         level_max_at: level.max_at.map(at),
         mismatches,
     })
+}
+
+/// The difference of light on an agreeing pixel, of 255: of its level, or of the
+/// channel that is farthest off.
+pub(crate) fn light_difference(frame: &Frame, hit: &Hit, i: usize) -> f64 {
+    let channels = frame.light[i].into_iter().zip(frame.lookup.light(hit));
+    let differences = channels.map(|(frame, truth)| (f64::from(frame) - truth).abs());
+    differences.fold(0.0, f64::max)
 }
 
 /// What the two show at one pixel.

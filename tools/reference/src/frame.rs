@@ -1,7 +1,10 @@
 //! A picture from the renderer under test, as plain arrays.
 
-use crate::truth::Truth;
+use crate::truth::{Hit, Truth};
 use std::fmt;
+
+/// How many colours a [`Lookup`] tells apart: 4 bits a channel.
+pub const COLOURS: usize = 1 << 12;
 
 /// [`Frame::triangle`] where nothing is seen.
 pub const NO_TRIANGLE: u32 = u32::MAX;
@@ -21,23 +24,41 @@ pub struct Frame {
     /// Index of the triangle in the actor's mesh ([`fixel_scene::Mesh`], not
     /// the baked order); [`NO_TRIANGLE`] where nothing is seen.
     pub triangle: Vec<u32>,
-    /// Light level, 0..=255; any where nothing is seen.
-    pub level: Vec<u8>,
+    /// Light before it is looked up: of a material that goes by level
+    /// ([`Path::Level`]) three times its level, of one that goes by colour
+    /// ([`Path::Colour`]) red, green and blue, each 0..=255; any where nothing is
+    /// seen.
+    pub light: Vec<[u8; 3]>,
     /// Palette index.
     pub index: Vec<u8>,
     /// The colour shown, 8 bits a channel.
     pub rgb: Vec<[u8; 3]>,
-    /// How the renderer gets from a level to a colour.
+    /// How the renderer gets from light to a colour.
     pub lookup: Lookup,
 }
 
-/// From a material's light level to a palette index, and on to a colour.
+/// A material's way from light to a palette index.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Path {
+    /// By its light level, as [`crate::Hit::level`] defines it: the palette index
+    /// of each.
+    Level(Box<[u8; 256]>),
+    /// By its colour, through [`Lookup::colours`].
+    Colour,
+}
+
+/// From light to a palette index, and on to a colour.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Lookup {
     /// The colours, at most 256, as the panel shows them, 8 bits a channel.
     pub palette: Vec<[u8; 3]>,
-    /// For each material of the scene, the palette index of each level.
-    pub shade: Vec<[u8; 256]>,
+    /// For each material of the scene, its way.
+    pub paths: Vec<Path>,
+    /// The palette index of each colour of 4 bits a channel: [`COLOURS`] of them,
+    /// red in the highest bits, blue in the lowest; empty if no material goes by
+    /// colour. A colour is rounded to the nearest of 0, 1/15, .. 1 in each
+    /// channel; what a renderer dithers is held against the undithered.
+    pub colours: Vec<u8>,
     /// For each row of the picture, the palette index of the background.
     pub background: Vec<u8>,
 }
@@ -110,8 +131,8 @@ impl Frame {
     /// If a table of the look-up is too short for the scene or the picture.
     pub fn from_truth(truth: &Truth, lookup: Lookup) -> Self {
         let hits = || truth.pixels().iter();
-        let level: Vec<u8> = hits()
-            .map(|p| p.map_or(0, |hit| level8(hit.level)))
+        let light = hits()
+            .map(|p| p.map_or([0; 3], |hit| lookup.light(&hit).map(|l| l.round() as u8)))
             .collect();
         let index = lookup.indices(truth);
         Self {
@@ -122,7 +143,7 @@ impl Frame {
             triangle: hits()
                 .map(|p| p.map_or(NO_TRIANGLE, |hit| hit.triangle as u32))
                 .collect(),
-            level,
+            light,
             rgb: index
                 .iter()
                 .map(|i| lookup.palette[usize::from(*i)])
@@ -147,11 +168,12 @@ impl Frame {
             ("depth", self.depth.len(), pixels),
             ("actor", self.actor.len(), pixels),
             ("triangle", self.triangle.len(), pixels),
-            ("level", self.level.len(), pixels),
+            ("light", self.light.len(), pixels),
             ("index", self.index.len(), pixels),
             ("rgb", self.rgb.len(), pixels),
             ("background", lookup.background.len(), self.height as usize),
-            ("shade", lookup.shade.len().min(materials), materials),
+            ("paths", lookup.paths.len().min(materials), materials),
+            ("colours", lookup.colours.len(), lookup.colours_needed()),
         ];
         for (array, found, needed) in lengths {
             if found != needed {
@@ -163,8 +185,16 @@ impl Frame {
             }
         }
         let colours = lookup.palette.len();
-        let mut named = lookup.shade.iter().flatten().chain(&lookup.background);
-        match named.find(|i| usize::from(**i) >= colours) {
+        let levels = lookup.paths.iter().filter_map(|path| match path {
+            Path::Level(indices) => Some(indices.iter()),
+            Path::Colour => None,
+        });
+        let others = lookup.colours.iter().chain(&lookup.background);
+        match levels
+            .flatten()
+            .chain(others)
+            .find(|i| usize::from(**i) >= colours)
+        {
             Some(&index) => Err(FrameError::Colour { index, colours }),
             None => Ok(()),
         }
@@ -175,15 +205,35 @@ impl Lookup {
     /// The palette index of every pixel of the truth, without dithering.
     pub(crate) fn indices(&self, truth: &Truth) -> Vec<u8> {
         let width = truth.width as usize;
-        let index = |(i, pixel): (usize, &Option<crate::Hit>)| match pixel {
-            Some(hit) => self.shade[hit.material][usize::from(level8(hit.level))],
+        let index = |(i, pixel): (usize, &Option<Hit>)| match pixel {
+            Some(hit) => self.index(hit),
             None => self.background[i / width],
         };
         truth.pixels.iter().enumerate().map(index).collect()
     }
-}
 
-/// A level in 0..=255, rounded to the nearest.
-fn level8(level: f64) -> u8 {
-    level.round() as u8
+    fn index(&self, hit: &Hit) -> u8 {
+        match &self.paths[hit.material] {
+            Path::Level(indices) => indices[hit.level.round() as usize],
+            Path::Colour => {
+                let step = |channel: f64| (15.0 * channel).round() as usize;
+                let [red, green, blue] = hit.colour.map(step);
+                self.colours[red << 8 | green << 4 | blue]
+            }
+        }
+    }
+
+    /// The light of the truth as [`Frame::light`] has it, unrounded.
+    pub(crate) fn light(&self, hit: &Hit) -> [f64; 3] {
+        match self.paths[hit.material] {
+            Path::Level(_) => [hit.level; 3],
+            Path::Colour => hit.colour.map(|channel| 255.0 * channel),
+        }
+    }
+
+    /// The length that the table of colours has to have.
+    fn colours_needed(&self) -> usize {
+        let needed = !self.colours.is_empty() || self.paths.contains(&Path::Colour);
+        if needed { COLOURS } else { 0 }
+    }
 }

@@ -1,11 +1,21 @@
 //! The scene's triangles in view space, placed and lit.
 
-use crate::light::{Lights, Lit};
+use crate::light::{Lights, Lit, SurfacePoint, mix};
 use crate::model::actor_matrix;
 use crate::ray::{Meeting, Ray};
 use crate::view::View;
-use fixel_scene::{Actor, Cull, Mesh, Scene, Shading};
+use fixel_scene::{Actor, Cull, Material, Mesh, Scene, Shading};
 use glam::{DMat3, DVec3};
+
+/// How a face is lit.
+#[derive(Clone, Debug)]
+pub(crate) enum Shade {
+    /// Light at the corners, to be interpolated; three times the same for flat
+    /// shading.
+    Corners([Lit; 3]),
+    /// The corners' surface, to be interpolated and lit at each pixel.
+    Pixels(Box<[SurfacePoint; 3]>),
+}
 
 /// One triangle that may be seen.
 #[derive(Clone, Debug)]
@@ -13,8 +23,8 @@ pub(crate) struct Face {
     /// Corners in view space, counter-clockwise seen from outside: a
     /// reflection's swap of the winding is already undone.
     pub corners: [DVec3; 3],
-    /// Light at the corners; three times the same for flat shading.
-    pub lit: [Lit; 3],
+    /// How it is lit.
+    pub shade: Shade,
     /// Index of the actor in the scene.
     pub actor: usize,
     /// Index of the triangle in the actor's mesh.
@@ -42,6 +52,8 @@ impl Face {
 pub(crate) struct Geometry {
     /// The faces.
     pub faces: Vec<Face>,
+    /// What lights them.
+    lights: Lights,
     /// Index in `faces` of each actor's first triangle, and one past the last.
     first: Vec<usize>,
 }
@@ -56,13 +68,87 @@ impl Geometry {
             place(scene, view, &lights, (index, actor), frame, &mut faces);
             first.push(faces.len());
         }
-        Self { faces, first }
+        Self {
+            faces,
+            lights,
+            first,
+        }
+    }
+
+    /// Light on a face of `material` where its corners have the given weights.
+    pub fn lit(&self, face: &Face, weights: [f64; 3], material: &Material, view: &View) -> Lit {
+        match &face.shade {
+            Shade::Corners(lit) => Lit::weighted(*lit, weights),
+            Shade::Pixels(corners) => {
+                let place = mix(corners.map(|c| c.place), weights);
+                let at = SurfacePoint {
+                    place,
+                    normal: mix(corners.map(|c| c.normal), weights).normalize_or_zero(),
+                    eye: view.towards_eye(place),
+                    tint: mix(corners.map(|c| c.tint), weights),
+                };
+                self.lights.shine(material, &at)
+            }
+        }
     }
 
     /// One face by its actor and its triangle's index in the mesh.
     pub fn face(&self, actor: usize, triangle: usize) -> Option<&Face> {
         let range = *self.first.get(actor)?..*self.first.get(actor + 1)?;
         self.faces.get(range)?.get(triangle)
+    }
+}
+
+/// Where an actor's faces come from.
+struct Placing<'a> {
+    material: &'a Material,
+    mesh: &'a Mesh,
+    view: &'a View,
+    lights: &'a Lights,
+    /// World places and unit normals of the mesh's vertices.
+    places: Vec<DVec3>,
+    normals: Vec<DVec3>,
+}
+
+impl Placing<'_> {
+    /// The surface at a vertex.
+    fn vertex(&self, index: usize) -> SurfacePoint {
+        let place = self.places[index];
+        SurfacePoint {
+            place,
+            normal: self.normals[index],
+            eye: self.view.towards_eye(place),
+            tint: self
+                .mesh
+                .colours
+                .get(index)
+                .map_or(DVec3::ONE, |c| (*c).into()),
+        }
+    }
+
+    /// The middle of a flat face.
+    fn centre(&self, vertices: [usize; 3]) -> SurfacePoint {
+        let corners = vertices.map(|i| self.vertex(i));
+        let [a, b, c] = corners.map(|corner| corner.place);
+        let third = [1.0 / 3.0; 3];
+        let place = mix([a, b, c], third);
+        SurfacePoint {
+            place,
+            normal: (b - a).cross(c - a).normalize_or_zero(),
+            eye: self.view.towards_eye(place),
+            tint: mix(corners.map(|corner| corner.tint), third),
+        }
+    }
+
+    fn shade(&self, vertices: [usize; 3], at_vertices: &[Lit]) -> Shade {
+        match self.material.shading {
+            Shading::Flat => {
+                let lit = self.lights.shine(self.material, &self.centre(vertices));
+                Shade::Corners([lit; 3])
+            }
+            Shading::Gouraud => Shade::Corners(vertices.map(|i| at_vertices[i])),
+            Shading::Phong => Shade::Pixels(Box::new(vertices.map(|i| self.vertex(i)))),
+        }
     }
 }
 
@@ -80,34 +166,31 @@ fn place(
     let matrix = actor_matrix(actor, &scene.animation, frame);
     let mirrored = matrix.determinant() < 0.0;
     let to_world = |p: &[f64; 3]| matrix.transform_point3(DVec3::from(*p));
-    let world: Vec<DVec3> = mesh.positions.iter().map(to_world).collect();
-    let seen: Vec<DVec3> = world.iter().map(|p| view.to_view(*p)).collect();
+    let inverse_transpose = DMat3::from_mat4(matrix).inverse().transpose();
+    let normal = |n: &[f64; 3]| (inverse_transpose * DVec3::from(*n)).normalize_or_zero();
+    let placing = Placing {
+        material,
+        mesh,
+        view,
+        lights,
+        places: mesh.positions.iter().map(to_world).collect(),
+        normals: mesh.normals.iter().map(normal).collect(),
+    };
+    let seen: Vec<DVec3> = placing.places.iter().map(|p| view.to_view(*p)).collect();
     let at_vertices: Vec<Lit> = match material.shading {
-        Shading::Flat => Vec::new(),
-        Shading::Gouraud => {
-            let normals = DMat3::from_mat4(matrix).inverse().transpose();
-            let shine = |n: &[f64; 3]| {
-                lights.shine(material, (normals * DVec3::from(*n)).normalize_or_zero())
-            };
-            mesh.normals.iter().map(shine).collect()
-        }
+        Shading::Flat | Shading::Phong => Vec::new(),
+        Shading::Gouraud => (0..mesh.positions.len())
+            .map(|i| lights.shine(material, &placing.vertex(i)))
+            .collect(),
     };
     for (triangle, corners) in mesh.triangles.iter().enumerate() {
         let [a, mut b, mut c] = corners.map(|i| i as usize);
         if mirrored {
             std::mem::swap(&mut b, &mut c);
         }
-        let lit = match material.shading {
-            Shading::Flat => {
-                let normal = (world[b] - world[a]).cross(world[c] - world[a]);
-                [lights.shine(material, normal.normalize_or_zero()); 3]
-            }
-            Shading::Gouraud => [a, b, c].map(|i| at_vertices[i]),
-        };
-        let corners = [a, b, c].map(|i| seen[i]);
         faces.push(Face {
-            corners,
-            lit,
+            corners: [a, b, c].map(|i| seen[i]),
+            shade: placing.shade([a, b, c], &at_vertices),
             actor: index,
             triangle,
             cull: material.cull,

@@ -1,7 +1,7 @@
 //! Pictures of where a frame differs from the truth: 8 bits a channel, by
 //! rows from the top left, as large as the frame.
 
-use crate::compare::Pixel;
+use crate::compare::{Pixel, light_difference};
 use crate::frame::{Frame, FrameError};
 use crate::report::MismatchKind;
 use crate::truth::Truth;
@@ -29,7 +29,8 @@ pub struct HeatMaps {
     /// Depth difference on agreeing pixels, 0..=4 units from black over red
     /// and yellow to white.
     pub depth: Vec<[u8; 3]>,
-    /// Level difference on agreeing pixels, 0..=8 of 255.
+    /// Light difference on agreeing pixels, 0..=8 of 255: of the level, or of the
+    /// worst channel, as in [`crate::Report::level_max`].
     pub level: Vec<[u8; 3]>,
     /// Greatest difference of a colour channel against the unquantised truth,
     /// everywhere, 0..=32 of 255.
@@ -66,7 +67,7 @@ pub fn draw(truth: &Truth, frame: &Frame) -> Result<HeatMaps, FrameError> {
     Ok(HeatMaps {
         coverage: pixels.iter().map(coverage).collect(),
         depth: agreeing(&|i, hit| f64::from(frame.depth[i]) - hit.depth_lsb, 4.0),
-        level: agreeing(&|i, hit| f64::from(frame.level[i]) - hit.level, 8.0),
+        level: agreeing(&|i, hit| light_difference(frame, hit, i), 8.0),
         colour: colour.collect(),
     })
 }

@@ -25,7 +25,7 @@ mod truth;
 mod view;
 
 pub use compare::compare;
-pub use frame::{Frame, FrameError, Lookup, NO_TRIANGLE};
+pub use frame::{COLOURS, Frame, FrameError, Lookup, NO_TRIANGLE, Path};
 pub use model::actor_matrix;
 pub use render::{Options, render, render_watched};
 pub use report::{Mismatch, MismatchKind, PSNR_IDENTICAL_DB, Report};

@@ -1,6 +1,7 @@
 //! The light model, on display-encoded values as VTK and OpenGL compute it.
+//! [`fixel_scene::Material`] has the formula.
 
-use fixel_scene::{LightKind, Material, Rgb, Scene};
+use fixel_scene::{Attenuation, LightKind, Material, Rgb, Scene};
 use glam::DVec3;
 
 /// Light at one point of a surface.
@@ -8,68 +9,185 @@ use glam::DVec3;
 pub(crate) struct Lit {
     /// Red, green, blue, each clamped to 0..=1.
     pub colour: DVec3,
-    /// The same for a white material under lights made grey, 0..=255.
+    /// The same for a white material without vertex colours under lights made
+    /// grey, 0..=255.
     pub level: f64,
 }
 
 impl Lit {
     /// The mean of three corners with the given weights.
     pub fn weighted(corners: [Self; 3], weights: [f64; 3]) -> Self {
-        let mut sum = Self::default();
-        for (corner, weight) in corners.into_iter().zip(weights) {
-            sum.colour += corner.colour * weight;
-            sum.level += corner.level * weight;
-        }
         // The weights' sum is 1 but for rounding.
         Self {
-            colour: sum.colour.min(DVec3::ONE),
-            level: sum.level.min(255.0),
+            colour: mix(corners.map(|c| c.colour), weights).min(DVec3::ONE),
+            level: mix(corners.map(|c| c.level), weights).min(255.0),
         }
     }
+}
+
+/// A point of a surface, as the light model sees it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SurfacePoint {
+    /// Where, in the world.
+    pub place: DVec3,
+    /// The normal, unit length, used as it stands, whichever side is seen.
+    pub normal: DVec3,
+    /// Towards the eye, unit length.
+    pub eye: DVec3,
+    /// The vertex colour; white if the mesh has none.
+    pub tint: DVec3,
 }
 
 /// A scene's lights, directions turned to point at the light.
 #[derive(Clone, Debug)]
 pub(crate) struct Lights {
     ambient: DVec3,
-    directional: Vec<(DVec3, DVec3)>,
+    sources: Vec<Source>,
+}
+
+/// A light with its colour times intensity.
+#[derive(Clone, Debug)]
+struct Source {
+    light: DVec3,
+    from: From,
+}
+
+#[derive(Clone, Debug)]
+enum From {
+    /// Towards the light.
+    Far(DVec3),
+    Place {
+        place: DVec3,
+        attenuation: Attenuation,
+        cone: Option<Cone>,
+    },
+}
+
+#[derive(Clone, Debug)]
+struct Cone {
+    /// Against the way the light travels.
+    axis: DVec3,
+    /// Of the angle between axis and edge.
+    cosine: f64,
+    exponent: f64,
 }
 
 impl Lights {
     /// The lights of a scene.
     pub fn new(scene: &Scene) -> Self {
-        let directional = scene
-            .lights
-            .iter()
-            .map(|light| {
-                let LightKind::Directional { direction } = light.kind;
-                let towards = -DVec3::from(direction).normalize();
-                (towards, DVec3::from(light.colour) * light.intensity)
-            })
-            .collect();
+        let from = |kind: &LightKind| match *kind {
+            LightKind::Directional { direction } => From::Far(against(direction)),
+            LightKind::Point {
+                position,
+                attenuation,
+            } => From::Place {
+                place: position.into(),
+                attenuation,
+                cone: None,
+            },
+            LightKind::Spot {
+                position,
+                direction,
+                attenuation,
+                cone_angle,
+                exponent,
+            } => From::Place {
+                place: position.into(),
+                attenuation,
+                cone: Some(Cone {
+                    axis: against(direction),
+                    cosine: cone_angle.to_radians().cos(),
+                    exponent,
+                }),
+            },
+        };
+        let source = |light: &fixel_scene::Light| Source {
+            light: DVec3::from(light.colour) * light.intensity,
+            from: from(&light.kind),
+        };
         Self {
-            ambient: DVec3::from(scene.ambient),
-            directional,
+            ambient: scene.ambient.into(),
+            sources: scene.lights.iter().map(source).collect(),
         }
     }
 
-    /// `clamp(emission*Cd + Ca*ka*A + sum of L*Cd*kd*max(0, N.l))` for a unit
-    /// world normal, which is used as it stands, whichever side is seen.
-    pub fn shine(&self, material: &Material, normal: DVec3) -> Lit {
-        let mut diffuse = DVec3::ZERO;
-        for (towards, light) in &self.directional {
-            diffuse += *light * normal.dot(*towards).max(0.0);
+    /// The whole light model at one point.
+    pub fn shine(&self, material: &Material, at: &SurfacePoint) -> Lit {
+        let (mut diffuse, mut specular) = (DVec3::ZERO, DVec3::ZERO);
+        for source in &self.sources {
+            let Some((towards, factor)) = source.from.reaches(at.place) else {
+                continue;
+            };
+            let cosine = at.normal.dot(towards);
+            if cosine <= 0.0 {
+                continue;
+            }
+            let mirrored = 2.0 * cosine * at.normal - towards;
+            let highlight = mirrored.dot(at.eye).max(0.0).powf(material.specular_power);
+            diffuse += source.light * (factor * cosine);
+            specular += source.light * (factor * highlight);
         }
         let ambient = self.ambient * material.ambient;
         diffuse *= material.diffuse;
-        let colour = DVec3::from(material.diffuse_colour) * (diffuse + material.emission)
-            + DVec3::from(material.ambient_colour) * ambient;
-        let level = material.emission + mean(ambient.into()) + mean(diffuse.into());
+        specular *= material.specular;
+        let diffuse_colour = DVec3::from(material.diffuse_colour) * at.tint;
+        let ambient_colour = DVec3::from(material.ambient_colour) * at.tint;
+        let colour = diffuse_colour * (diffuse + material.emission)
+            + ambient_colour * ambient
+            + DVec3::from(material.specular_colour) * specular;
+        let grey = mean((ambient + diffuse + specular).into());
         Lit {
             colour: colour.clamp(DVec3::ZERO, DVec3::ONE),
-            level: 255.0 * level.clamp(0.0, 1.0),
+            level: 255.0 * (material.emission + grey).clamp(0.0, 1.0),
         }
     }
+}
+
+impl From {
+    /// Towards the light, and attenuation times spot; `None` where no light
+    /// gets to.
+    fn reaches(&self, point: DVec3) -> Option<(DVec3, f64)> {
+        match self {
+            From::Far(towards) => Some((*towards, 1.0)),
+            From::Place {
+                place,
+                attenuation: [constant, linear, quadratic],
+                cone,
+            } => {
+                let way = *place - point;
+                let distance = way.length();
+                let towards = way.try_normalize()?;
+                let fade = 1.0 / (constant + linear * distance + quadratic * distance * distance);
+                let beam = match cone {
+                    None => 1.0,
+                    Some(cone) => cone.beam(towards)?,
+                };
+                Some((towards, fade * beam))
+            }
+        }
+    }
+}
+
+impl Cone {
+    /// The factor in the direction that is seen from the surface; `None`
+    /// outside.
+    fn beam(&self, towards: DVec3) -> Option<f64> {
+        let cosine = towards.dot(self.axis);
+        (cosine >= self.cosine).then(|| cosine.powf(self.exponent))
+    }
+}
+
+/// The unit vector against a direction.
+fn against(direction: [f64; 3]) -> DVec3 {
+    -DVec3::from(direction).normalize()
+}
+
+/// The sum of three values with the given weights.
+pub(crate) fn mix<T>([a, b, c]: [T; 3], weights: [f64; 3]) -> T
+where
+    T: std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,
+{
+    a * weights[0] + b * weights[1] + c * weights[2]
 }
 
 /// Grey by the mean of the channels.

@@ -2,7 +2,6 @@
 
 use crate::bvh::Bvh;
 use crate::geometry::{Face, Geometry};
-use crate::light::Lit;
 use crate::ray::{Meeting, Ray};
 use crate::truth::{Hit, Truth};
 use crate::view::View;
@@ -49,7 +48,7 @@ pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sy
             for (x, pixel) in row.iter_mut().enumerate() {
                 let ray = view.ray(x as u32, y as u32);
                 *pixel = nearest(&geometry.faces, &bvh, &view, &ray)
-                    .map(|seen| seen.hit(&view, scene.actors[seen.face.actor].material));
+                    .map(|seen| seen.hit(&geometry, &view, scene));
             }
             row_done();
         });
@@ -77,14 +76,15 @@ struct Seen<'a> {
 }
 
 impl Seen<'_> {
-    fn hit(&self, view: &View, material: usize) -> Hit {
-        let weights = self.meeting.weights;
-        let lit = Lit::weighted(self.face.lit, weights);
+    fn hit(&self, geometry: &Geometry, view: &View, scene: &Scene) -> Hit {
+        let (face, weights) = (self.face, self.meeting.weights);
+        let material = scene.actors[face.actor].material;
+        let lit = geometry.lit(face, weights, &scene.materials[material], view);
         let depth_lsb = view.depth_lsb(self.meeting.w);
         Hit {
             depth_lsb,
-            actor: self.face.actor,
-            triangle: self.face.triangle,
+            actor: face.actor,
+            triangle: face.triangle,
             material,
             weights,
             level: lit.level,

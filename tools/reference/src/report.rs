@@ -31,14 +31,17 @@ pub struct Report {
     /// moved across the pixel's centre), or more than 1 depth unit behind the
     /// nearest.
     pub visible_mismatch_px: usize,
-    /// Greatest difference of light level, of 255, on agreeing pixels, against
-    /// the truth's unrounded level.
+    /// Greatest difference of light, of 255, on agreeing pixels, against the
+    /// truth's unrounded light: of the level where the material goes by level, of
+    /// the worst of red, green and blue where it goes by colour (before either is
+    /// looked up and dithered).
     pub level_max: f64,
     /// Mean of that difference.
     pub level_mean: f64,
     /// PSNR over all pixels of the picture (peak 255, mean over the channels)
-    /// against the reference's level, rounded, and put through the frame's own
-    /// look-up without dithering. Identical: [`PSNR_IDENTICAL_DB`].
+    /// against the reference's level or colour, whichever way the material
+    /// takes, put through the frame's own look-up without dithering. Identical:
+    /// [`PSNR_IDENTICAL_DB`].
     pub rgb_psnr_db: f64,
     /// The same against the reference's unquantised colour.
     pub rgb_psnr_true_db: f64,
@@ -52,13 +55,13 @@ pub struct Report {
     pub coverage_mismatch_percent: f64,
     /// Share of agreeing pixels whose depth differs by at most 1 unit.
     pub depth_within_1_percent: f64,
-    /// Share of agreeing pixels whose level differs by at most 2.
+    /// Share of agreeing pixels whose light differs by at most 2.
     pub level_within_2_percent: f64,
     /// `rgb_psnr_true_db` over the pixels covered in the truth only.
     pub rgb_psnr_true_covered_db: f64,
     /// Column and row of the greatest depth difference.
     pub depth_max_at: Option<[u32; 2]>,
-    /// Column and row of the greatest level difference.
+    /// Column and row of the greatest light difference.
     pub level_max_at: Option<[u32; 2]>,
     /// The first 20 pixels that count as a coverage or visible mismatch, by
     /// rows from the top.

@@ -19,7 +19,12 @@ pub struct Hit {
     /// Weights of the triangle's corners in 3D, in the order of the mesh's
     /// triangle (of a reflected actor: with the last two swapped).
     pub weights: [f64; 3],
-    /// Light on a white material under lights made grey, 0..=255.
+    /// Light on the surface if its material's colours were white, it had no
+    /// vertex colours, and each light (the ambient one too) were the grey of its
+    /// channels' mean: 0..=255, clamped where the light model is worked out. For
+    /// grey lights and a material whose highlights have its diffuse colour, this
+    /// is what the surface's colour is made of; otherwise it is but a measure of
+    /// brightness, and [`Hit::colour`] says what is seen.
     pub level: f64,
     /// The surface's colour, each channel in 0..=1.
     pub colour: Rgb,

@@ -64,6 +64,16 @@ impl View {
         DVec3::new(p.dot(self.right), p.dot(self.up), p.dot(self.forward))
     }
 
+    /// From a world point towards the eye, unit length: for a parallel camera
+    /// against the line of sight, from everywhere.
+    pub(crate) fn towards_eye(&self, world: DVec3) -> DVec3 {
+        if self.perspective {
+            (self.eye - world).normalize_or_zero()
+        } else {
+            -self.forward
+        }
+    }
+
     /// The ray through the centre of a pixel (column `x`, row `y`, counted
     /// down from the top).
     pub(crate) fn ray(&self, x: u32, y: u32) -> Ray {

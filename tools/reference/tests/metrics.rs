@@ -4,8 +4,8 @@ mod common;
 
 use common::*;
 use fixel_reference::{
-    Frame, FrameError, Lookup, MismatchKind, NO_TRIANGLE, PSNR_IDENTICAL_DB, Report, Truth,
-    compare, heatmap,
+    COLOURS, Frame, FrameError, Lookup, MismatchKind, NO_TRIANGLE, PSNR_IDENTICAL_DB, Path, Report,
+    Truth, compare, heatmap,
 };
 use fixel_scene::Shading;
 
@@ -13,7 +13,26 @@ use fixel_scene::Shading;
 fn greys(height: u32) -> Lookup {
     Lookup {
         palette: (0..=255).map(|v| [v; 3]).collect(),
-        shade: vec![std::array::from_fn(|level| level as u8)],
+        paths: vec![Path::Level(Box::new(std::array::from_fn(|level| {
+            level as u8
+        })))],
+        colours: Vec::new(),
+        background: vec![0; height as usize],
+    }
+}
+
+/// A palette of 4 levels of red and green and 2 of blue, by colour; the background
+/// is black.
+fn by_colour(height: u32) -> Lookup {
+    let colour = |i: usize| [(i >> 3) * 85, (i >> 1 & 3) * 85, (i & 1) * 255];
+    let nearest = |i: usize| {
+        let part = |shift: usize, most: usize| ((i >> shift & 15) * most + 7) / 15;
+        (part(8, 3) << 3 | part(4, 3) << 1 | part(0, 1)) as u8
+    };
+    Lookup {
+        palette: (0..32).map(|i| colour(i).map(|c| c as u8)).collect(),
+        paths: vec![Path::Colour],
+        colours: (0..COLOURS).map(nearest).collect(),
         background: vec![0; height as usize],
     }
 }
@@ -144,7 +163,7 @@ fn equally_near_triangles_are_a_tie() {
 
 #[test]
 fn level_errors_are_found_where_they_are() {
-    let report = damaged(|frame| frame.level[MIDDLE] += 10);
+    let report = damaged(|frame| frame.light[MIDDLE] = frame.light[MIDDLE].map(|l| l + 10));
     assert!((report.level_max - 10.0).abs() <= 0.5);
     assert_eq!(report.level_max_at, Some([8, 8]));
     assert!(report.level_mean * report.covered_px as f64 > 9.0);
@@ -181,13 +200,39 @@ fn the_quantised_psnr_forgives_the_palette_and_the_true_one_does_not() {
     let truth = ball();
     let mut lookup = greys(16);
     // Levels in steps of 32, and a background that the scene does not have.
-    lookup.shade[0] = std::array::from_fn(|level| (level / 32 * 32) as u8);
+    let steps = std::array::from_fn(|level| (level / 32 * 32) as u8);
+    lookup.paths[0] = Path::Level(Box::new(steps));
     lookup.background[3] = 99;
     let frame = Frame::from_truth(&truth, lookup);
     let report = compare(&truth, &frame).unwrap();
     assert_eq!(report.rgb_psnr_db, PSNR_IDENTICAL_DB);
     assert!(report.rgb_psnr_true_db < 30.0);
     assert_eq!(frame.rgb[3 * 16], [99; 3]);
+}
+
+#[test]
+fn a_material_by_colour_is_looked_up_by_colour() {
+    let mut scene = parallel(2, 1);
+    scene.materials[0].diffuse_colour = [0.49, 0.51, 1.0];
+    scene.lights = vec![white_light([0.0, 0.0, -1.0])];
+    scene.lights[0].colour = [1.0, 1.0, 0.45];
+    add(&mut scene, screen_rect([0.0, 0.0], [1.0, 1.0], 0.0));
+    let truth = truth(&scene);
+    // 0.49 and 0.51 are 7 and 8 of 15, which are 1 and 2 of 3; 0.45 is 7 of 15.
+    let frame = Frame::from_truth(&truth, by_colour(1));
+    assert_eq!(frame.rgb, [[85, 170, 0], [0; 3]]);
+    assert_eq!(frame.light[0], [125, 130, 115]);
+    let report = compare(&truth, &frame).unwrap();
+    assert_eq!(report.rgb_psnr_db, PSNR_IDENTICAL_DB);
+    assert_eq!(report.index_equal_percent, 100.0);
+    // The worst channel counts: 0.45 of 255 is 114.75.
+    assert!((report.level_max - 0.25).abs() < 1e-9);
+    let mut off = frame.clone();
+    off.light[0][1] += 7;
+    off.light[0][2] -= 30;
+    let report = compare(&truth, &off).unwrap();
+    assert!((report.level_max - 29.75).abs() < 1e-9);
+    assert_eq!(report.level_max_at, Some([0, 0]));
 }
 
 #[test]
@@ -219,10 +264,20 @@ fn frames_that_do_not_fit_are_refused() {
         refused(&|f| f.width = 8),
         "the frame is 8x16 pixels, the reference 16x16"
     );
-    let short = refused(&|f| f.level.truncate(255));
-    assert_eq!(short, "the frame's level has 255 elements instead of 256");
-    let shade = refused(&|f| f.lookup.shade.clear());
-    assert_eq!(shade, "the frame's shade has 0 elements instead of 1");
+    let short = refused(&|f| f.light.truncate(255));
+    assert_eq!(short, "the frame's light has 255 elements instead of 256");
+    let shade = refused(&|f| f.lookup.paths.clear());
+    assert_eq!(shade, "the frame's paths has 0 elements instead of 1");
+    let colours = refused(&|f| f.lookup.paths[0] = Path::Colour);
+    assert_eq!(
+        colours,
+        "the frame's colours has 0 elements instead of 4096"
+    );
+    let colours = refused(&|f| f.lookup.colours = vec![0; 256]);
+    assert_eq!(
+        colours,
+        "the frame's colours has 256 elements instead of 4096"
+    );
     let colour = refused(&|f| f.lookup.palette.truncate(200));
     assert_eq!(colour, "the look-up names colour 200 of a palette of 200");
     let error = FrameError::Size {
@@ -267,7 +322,7 @@ fn heat_maps_show_each_error_in_its_place() {
     frame.actor[0] = 1;
     frame.triangle[MIDDLE + 1] = 0;
     frame.depth[BEHIND] += 4;
-    frame.level[BEHIND] = frame.level[BEHIND].wrapping_add(100);
+    frame.light[BEHIND] = frame.light[BEHIND].map(|l| l.wrapping_add(100));
     frame.rgb[1] = [0, 16, 0];
     let damaged = heatmap::draw(&truth, &frame).unwrap();
     let differing = |a: &[[u8; 3]], b: &[[u8; 3]]| -> Vec<usize> {

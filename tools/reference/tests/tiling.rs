@@ -60,6 +60,7 @@ proptest! {
             positions: (0..4).map(|i| behind_screen(corners[i], w[i])).collect(),
             normals: vec![[0.0, 0.0, 1.0]; 4],
             triangles: vec![[0, 1, 2], [0, 1, 3]],
+            ..Mesh::default()
         };
         if !in_perspective {
             for (position, corner) in mesh.positions.iter_mut().zip(corners) {

@@ -6,8 +6,7 @@ use std::path::Path;
 use glam::DVec3;
 
 use crate::description::{
-    Actor, Animation, Background, ColourFormat, Cull, Display, Light, LightKind, Material, Palette,
-    Scene, Shading,
+    Actor, Animation, Background, ColourFormat, Display, Light, LightKind, Material, Palette, Scene,
 };
 use crate::error::Error;
 use crate::framing::{self, Bounds};
@@ -68,9 +67,7 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
             diffuse_colour: colour,
             ambient: 0.15,
             diffuse: 0.85,
-            emission: 0.0,
-            shading: Shading::Gouraud,
-            cull: Cull::Back,
+            ..Material::default()
         }],
         meshes,
         actors,

@@ -118,50 +118,122 @@ pub enum Projection {
 pub struct Light {
     /// What kind.
     pub kind: LightKind,
-    /// Its colour.
+    /// Its colour. Default white.
     pub colour: Rgb,
-    /// Multiplies the colour; may exceed 1.
+    /// Multiplies the colour; 0 or more, may exceed 1. Default 1.
     pub intensity: f64,
 }
 
-/// Kinds of light. More come with later capabilities.
+/// Kinds of light. At a surface point, `l` is the unit vector towards the
+/// light and `d` the distance to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LightKind {
-    /// From infinitely far.
+    /// From infinitely far: the same everywhere.
     Directional {
         /// The way the light travels, in world space; any length but 0.
         direction: [f64; 3],
     },
+    /// From a place to all sides.
+    Point {
+        /// Where, in world space. A surface point just there gets no light.
+        position: [f64; 3],
+        /// Weaker with distance.
+        attenuation: Attenuation,
+    },
+    /// From a place, within a cone with a sharp edge (VTK's, OpenGL's):
+    /// multiplied by `max(0, -l . direction)^exponent` inside, 0 outside.
+    Spot {
+        /// Where, in world space. A surface point just there gets no light.
+        position: [f64; 3],
+        /// The cone's axis, the way the light travels, in world space; any
+        /// length but 0.
+        direction: [f64; 3],
+        /// Weaker with distance.
+        attenuation: Attenuation,
+        /// From the axis to the cone's edge, in degrees, 1..=89; the edge
+        /// itself is lit. Default 30.
+        cone_angle: f64,
+        /// How much the light is gathered around the axis, 0..=128; 0 is even
+        /// light. Default 1.
+        exponent: f64,
+    },
 }
 
-/// A surface.
+/// `[c, l, q]`: light at distance `d`, in scene units, is multiplied by
+/// `1 / (c + l*d + q*d^2)`. Each 0 or more, not all 0; default `[1, 0, 0]`,
+/// no attenuation. With `c` below 1 the factor exceeds 1 near the light.
+pub type Attenuation = [f64; 3];
+
+/// A surface. Its colour under light is, on display-encoded values and clamped
+/// to 0..=1 in each channel,
+///
+/// ```text
+/// emission*Cd + Ca*ka*A + sum over lights of
+///     attenuation * spot * L * (Cd*kd*max(0, N.l) + Cs*ks*max(0, R.v)^power)
+/// ```
+///
+/// with `A` the ambient light, `L` a light's colour times intensity, `N` the
+/// normal, `l` towards the light, `v` towards the eye (of a parallel camera:
+/// against the line of sight) and `R` the mirror image of `l` about `N`. The
+/// specular part is there only where `N.l > 0`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     /// Its name in the file.
     pub name: String,
-    /// Colour under ambient light, `Ca`.
+    /// Colour under ambient light, `Ca`. Default white.
     pub ambient_colour: Rgb,
-    /// Colour under diffuse light, `Cd`.
+    /// Colour under diffuse light, `Cd`. Default white.
     pub diffuse_colour: Rgb,
+    /// Colour of highlights, `Cs`. Default white. A file's `colour` sets all
+    /// three, as VTK's `SetColor` does.
+    pub specular_colour: Rgb,
     /// Coefficient `ka`, 0..=1. Default 0.
     pub ambient: f64,
     /// Coefficient `kd`, 0..=1. Default 1.
     pub diffuse: f64,
-    /// Light of its own, 0..=1: `emission * diffuse_colour` is added.
+    /// Coefficient `ks`, 0..=1. Default 0.
+    pub specular: f64,
+    /// How sharp highlights are, 1..=128. Default 1.
+    pub specular_power: f64,
+    /// Light of its own, 0..=1: `emission * diffuse_colour` is added. Default 0.
     pub emission: f64,
-    /// Where the light model is worked out.
+    /// Where the light model is worked out. Default Gouraud.
     pub shading: Shading,
-    /// Which faces are left out.
+    /// Which faces are left out. Default back faces.
     pub cull: Cull,
+}
+
+impl Default for Material {
+    /// VTK's, without a name.
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            ambient_colour: [1.0; 3],
+            diffuse_colour: [1.0; 3],
+            specular_colour: [1.0; 3],
+            ambient: 0.0,
+            diffuse: 1.0,
+            specular: 0.0,
+            specular_power: 1.0,
+            emission: 0.0,
+            shading: Shading::Gouraud,
+            cull: Cull::Back,
+        }
+    }
 }
 
 /// Where the light model is worked out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shading {
-    /// Once a face, from the normal of the face's winding.
+    /// Once a face: at its centre (the mean of its corners), with the normal of
+    /// its winding and the mean of its vertex colours.
     Flat,
-    /// At the vertices, interpolated over the face.
+    /// At the vertices; the clamped colours are interpolated over the face.
     Gouraud,
+    /// At each pixel, at the surface point there, with the normal (and the
+    /// vertex colour) interpolated over the face and the normal brought back
+    /// to length 1.
+    Phong,
 }
 
 /// Which faces are left out. A face is seen from its front when its vertices
@@ -177,7 +249,7 @@ pub enum Cull {
     None,
 }
 
-/// A triangle mesh. Positions and normals share one index.
+/// A triangle mesh. Positions, normals and colours share one index.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// Where it came from, for messages.
@@ -187,6 +259,10 @@ pub struct Mesh {
     /// Vertex normals, unit length, as many as positions. Where the file had
     /// none they were made by crease angle.
     pub normals: Vec<[f64; 3]>,
+    /// Vertex colours, as many as positions, or none. A surface's ambient and
+    /// diffuse colour (which emission takes up too) are multiplied by them, as
+    /// glTF does with its base colour, though here on display-encoded values.
+    pub colours: Vec<Rgb>,
     /// Vertex indices, counter-clockwise seen from outside. May hold
     /// triangles without area; indices are all within `positions`.
     pub triangles: Vec<[u32; 3]>,

@@ -4,8 +4,8 @@
 
 use fixel_reference::{Options, Truth, render};
 use fixel_scene::{
-    Actor, Animation, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Material,
-    Mesh, Palette, Projection, Scene, Shading,
+    Actor, Animation, Background, Camera, ColourFormat, Display, Light, LightKind, Material, Mesh,
+    Palette, Projection, Scene, Shading,
 };
 
 /// Distance of the plane z = 0 from the eye in [`parallel`] and [`perspective`].
@@ -61,13 +61,8 @@ fn scene(width: u32, height: u32, projection: Projection) -> Scene {
 pub fn material() -> Material {
     Material {
         name: "white".into(),
-        ambient_colour: [1.0; 3],
-        diffuse_colour: [1.0; 3],
-        ambient: 0.0,
-        diffuse: 1.0,
-        emission: 0.0,
         shading: Shading::Flat,
-        cull: Cull::Back,
+        ..Material::default()
     }
 }
 

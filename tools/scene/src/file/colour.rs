@@ -36,19 +36,6 @@ pub(super) fn colour(table: &Table<'_, '_>, key: &str) -> Result<Option<Rgb>, Er
         .transpose()
 }
 
-/// A colour of light: only greys for now, as there is one light level.
-pub(super) fn light_colour(table: &Table<'_, '_>, key: &str) -> Result<Rgb, Error> {
-    let rgb = colour(table, key)?.unwrap_or([1.0; 3]);
-    if rgb[0] == rgb[1] && rgb[1] == rgb[2] {
-        Ok(rgb)
-    } else {
-        Err(table.error(
-            key,
-            "a coloured light is not supported yet; expected a grey, e.g. colour = \"#ffffff\"",
-        ))
-    }
-}
-
 /// One colour, or two for a vertical gradient.
 pub(super) fn background(table: &Table<'_, '_>, key: &str) -> Result<Option<Background>, Error> {
     let Some(found) = table.get(key) else {

@@ -1,22 +1,36 @@
 //! `[[light]]`.
 
-use super::colour::light_colour;
+use std::ops::RangeInclusive;
+
+use super::colour::colour;
 use super::table::{Keys, Neutral, Table};
-use crate::description::{Light, LightKind, Rgb};
+use crate::description::{Attenuation, Light, LightKind, Rgb};
 use crate::error::Error;
 
 pub(super) const LIGHT: Keys = Keys {
-    known: &["kind", "direction", "colour", "intensity"],
+    known: &[
+        "kind",
+        "direction",
+        "position",
+        "colour",
+        "intensity",
+        "attenuation",
+        "cone_angle",
+        "exponent",
+    ],
     later: &[
-        ("position", Neutral::Never),
         ("focal_point", Neutral::Never),
-        ("attenuation", Neutral::Never),
-        ("cone_angle", Neutral::Never),
-        ("exponent", Neutral::Never),
         ("radius", Neutral::Number(0.0)),
         ("shadow", Neutral::Never),
     ],
 };
+
+/// A cone of 90 degrees or more is not VTK's spot any more.
+const CONE_ANGLE: RangeInclusive<f64> = 1.0..=89.0;
+/// OpenGL's and VTK's narrowest beam.
+const EXPONENT: RangeInclusive<f64> = 0.0..=128.0;
+/// Attenuation's coefficients are at most this.
+const ATTENUATION: f64 = 1e6;
 
 /// One `[[light]]`.
 pub(super) enum Parsed {
@@ -30,14 +44,49 @@ pub(super) enum Parsed {
 enum Kind {
     Directional,
     Ambient,
+    Point,
+    Spot,
+}
+
+impl Kind {
+    const WORDS: [(&str, Self); 4] = [
+        ("directional", Self::Directional),
+        ("ambient", Self::Ambient),
+        ("point", Self::Point),
+        ("spot", Self::Spot),
+    ];
+
+    /// How a message calls a light of this kind, and the keys that it has no
+    /// use for.
+    fn useless(self) -> (&'static str, &'static [&'static str]) {
+        match self {
+            Self::Directional => (
+                "a directional light",
+                &["position", "attenuation", "cone_angle", "exponent"],
+            ),
+            Self::Ambient => (
+                "an ambient light",
+                &[
+                    "direction",
+                    "position",
+                    "attenuation",
+                    "cone_angle",
+                    "exponent",
+                ],
+            ),
+            Self::Point => ("a point light", &["direction", "cone_angle", "exponent"]),
+            Self::Spot => ("a spot light", &[]),
+        }
+    }
 }
 
 /// The kind is looked at before the other keys, so that a light of a later
 /// kind is named as such, not by the first of its keys.
 pub(super) fn check_kind(kind: Option<&str>) -> Result<(), String> {
     match kind {
-        Some(kind @ ("point" | "spot" | "area")) => Err(format!(
-            "\"{kind}\" is not supported yet; expected \"directional\" or \"ambient\""
+        Some(kind @ "area") => Err(format!(
+            "\"{kind}\" is not supported yet; \
+             expected \"directional\" or \"ambient\" or \"point\" or \"spot\""
         )),
         _ => Ok(()),
     }
@@ -45,38 +94,87 @@ pub(super) fn check_kind(kind: Option<&str>) -> Result<(), String> {
 
 /// Reads one light.
 pub(super) fn light(table: &Table<'_, '_>) -> Result<Parsed, Error> {
-    let kinds = [
-        ("directional", Kind::Directional),
-        ("ambient", Kind::Ambient),
-    ];
-    let Some(kind) = table.choice("kind", &kinds, &[])? else {
-        return Err(table.error(
-            "kind",
-            "is missing; expected kind = \"directional\" or kind = \"ambient\"",
-        ));
+    let Some(kind) = table.choice("kind", &Kind::WORDS, &[])? else {
+        let what = "is missing; expected e.g. kind = \"directional\" or kind = \"ambient\"";
+        return Err(table.error("kind", what));
     };
-    let colour = light_colour(table, "colour")?;
+    let (name, useless) = kind.useless();
+    if let Some(key) = useless.iter().find(|key| table.has(key)) {
+        return Err(table.error(key, format!("{name} has none; expected no such key")));
+    }
+    let colour = colour(table, "colour")?.unwrap_or([1.0; 3]);
     let intensity = table.number("intensity", 0.0..=100.0)?.unwrap_or(1.0);
+    let kind = match kind {
+        Kind::Ambient => return Ok(Parsed::Ambient(colour.map(|channel| channel * intensity))),
+        Kind::Directional => LightKind::Directional {
+            direction: direction(table)?,
+        },
+        Kind::Point => LightKind::Point {
+            position: position(table)?,
+            attenuation: attenuation(table)?,
+        },
+        Kind::Spot => LightKind::Spot {
+            position: position(table)?,
+            direction: direction(table)?,
+            attenuation: attenuation(table)?,
+            cone_angle: table.number("cone_angle", CONE_ANGLE)?.unwrap_or(30.0),
+            exponent: table.number("exponent", EXPONENT)?.unwrap_or(1.0),
+        },
+    };
+    Ok(Parsed::Light(Light {
+        kind,
+        colour,
+        intensity,
+    }))
+}
+
+fn direction(table: &Table<'_, '_>) -> Result<[f64; 3], Error> {
     let example = "[1, -1, -1]";
-    let direction = table.numbers::<3>("direction", super::LENGTH, example)?;
-    match (kind, direction) {
-        (Kind::Ambient, None) => Ok(Parsed::Ambient(colour.map(|channel| channel * intensity))),
-        (Kind::Ambient, Some(_)) => Err(table.error(
-            "direction",
-            "an ambient light has none; expected no such key",
-        )),
-        (Kind::Directional, None) => Err(table.error(
+    match table.numbers("direction", super::LENGTH, example)? {
+        None => Err(table.error(
             "direction",
             format!("is missing; expected the way the light travels, e.g. direction = {example}"),
         )),
-        (Kind::Directional, Some([0.0, 0.0, 0.0])) => Err(table.error(
+        Some([0.0, 0.0, 0.0]) => Err(table.error(
             "direction",
             format!("has length 0; expected e.g. direction = {example}"),
         )),
-        (Kind::Directional, Some(direction)) => Ok(Parsed::Light(Light {
-            kind: LightKind::Directional { direction },
-            colour,
-            intensity,
-        })),
+        Some(direction) => Ok(direction),
     }
+}
+
+fn position(table: &Table<'_, '_>) -> Result<[f64; 3], Error> {
+    let example = "[0, 4, 2]";
+    table
+        .numbers("position", super::LENGTH, example)?
+        .ok_or_else(|| {
+            table.error(
+                "position",
+                format!("is missing; expected the light's place, e.g. position = {example}"),
+            )
+        })
+}
+
+fn attenuation(table: &Table<'_, '_>) -> Result<Attenuation, Error> {
+    let example = "[1, 0, 0.1]";
+    let Some(found) = table.numbers("attenuation", ATTENUATION, example)? else {
+        return Ok([1.0, 0.0, 0.0]);
+    };
+    let expected = format!(
+        "expected [constant, linear, quadratic] of 1 / (c + l d + q d^2), \
+         e.g. attenuation = {example}"
+    );
+    if let Some(negative) = found.iter().find(|number| **number < 0.0) {
+        return Err(table.error(
+            "attenuation",
+            format!("{negative} is less than 0; {expected}"),
+        ));
+    }
+    if found == [0.0; 3] {
+        return Err(table.error(
+            "attenuation",
+            format!("all three are 0, which is light without end; {expected}"),
+        ));
+    }
+    Ok(found)
 }

@@ -151,7 +151,10 @@ fn materials(root: &Table<'_, '_>) -> Result<Vec<Material>, Error> {
         materials.push(material);
     }
     if materials.is_empty() {
-        materials.push(material::default("default"));
+        materials.push(Material {
+            name: "default".to_owned(),
+            ..Material::default()
+        });
     }
     Ok(materials)
 }

@@ -35,8 +35,6 @@ impl Source<'_> {
 pub(crate) enum Neutral {
     /// There is none: the key itself asks for the capability.
     Never,
-    /// Any value, as it does nothing without another key.
-    Any,
     /// A number.
     Number(f64),
     /// A string.
@@ -103,7 +101,7 @@ impl<'t, 'i> Table<'t, 'i> {
 
     fn not_yet(&self, key: &str, offset: usize, neutral: &Neutral) -> Error {
         let but = match neutral {
-            Neutral::Never | Neutral::Any => String::new(),
+            Neutral::Never => String::new(),
             Neutral::Number(value) => format!("; expected {key} = {value}, or no such key"),
             Neutral::Text(value) => format!("; expected {key} = \"{value}\", or no such key"),
             Neutral::Zeros => format!("; expected {key} = [0, 0, 0], or no such key"),
@@ -264,7 +262,6 @@ impl Neutral {
     fn is(&self, value: &DeValue<'_>) -> bool {
         match self {
             Neutral::Never => false,
-            Neutral::Any => true,
             Neutral::Number(number) => to_f64(value).is_some_and(|found| found == *number),
             Neutral::Text(text) => matches!(value, DeValue::String(found) if found == text),
             Neutral::Zeros => matches!(value, DeValue::Array(array)

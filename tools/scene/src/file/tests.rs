@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::parse;
 use crate::description::{
-    Background, ColourFormat, Cull, Light, LightKind, Projection, Scene, Shading,
+    Background, ColourFormat, Cull, Light, LightKind, Material, Projection, Scene, Shading,
 };
 
 /// A scene file that is not there, among the repository's scenes.
@@ -93,27 +93,57 @@ messages! {
         => "t.toml:2: camera.position: has 2 numbers where 3 belong; \
             expected e.g. position = [0, 0, 5]";
     light_kind: "[[light]]\nkind = \"sun\""
-        => "t.toml:2: light.kind: \"sun\" is unknown; expected \"directional\" or \"ambient\"";
+        => "t.toml:2: light.kind: \"sun\" is unknown; \
+            expected \"directional\" or \"ambient\" or \"point\" or \"spot\"";
     light_without_kind: "\n[[light]]\ndirection = [0, 0, -1]"
         => "t.toml:2: light.kind: is missing; \
-            expected kind = \"directional\" or kind = \"ambient\"";
-    point_light: "[[light]]\nposition = [0, 1, 0]\nkind = \"point\""
-        => "t.toml:3: light.kind: \"point\" is not supported yet; \
-            expected \"directional\" or \"ambient\"";
+            expected e.g. kind = \"directional\" or kind = \"ambient\"";
+    area_light: "[[light]]\nradius = 1\nkind = \"area\""
+        => "t.toml:3: light.kind: \"area\" is not supported yet; \
+            expected \"directional\" or \"ambient\" or \"point\" or \"spot\"";
+    point_without_position: "[[light]]\nkind = \"point\""
+        => "t.toml:1: light.position: is missing; \
+            expected the light's place, e.g. position = [0, 4, 2]";
+    point_with_a_direction: "[[light]]\nkind = \"point\"\nposition = [0, 1, 0]\ndirection = [0, -1, 0]"
+        => "t.toml:4: light.direction: a point light has none; expected no such key";
+    ambient_with_a_position: "[[light]]\nkind = \"ambient\"\nposition = [0, 1, 0]"
+        => "t.toml:3: light.position: an ambient light has none; expected no such key";
+    directional_with_attenuation: "[[light]]\nkind = \"directional\"\nattenuation = [1, 0, 0]"
+        => "t.toml:3: light.attenuation: a directional light has none; expected no such key";
+    negative_attenuation: "[[light]]\nkind = \"point\"\nposition = [0, 1, 0]\nattenuation = [1, -0.5, 0]"
+        => "t.toml:4: light.attenuation: -0.5 is less than 0; \
+            expected [constant, linear, quadratic] of 1 / (c + l d + q d^2), \
+            e.g. attenuation = [1, 0, 0.1]";
+    no_attenuation: "[[light]]\nkind = \"point\"\nposition = [0, 1, 0]\nattenuation = [0, 0, 0]"
+        => "t.toml:4: light.attenuation: all three are 0, which is light without end; \
+            expected [constant, linear, quadratic] of 1 / (c + l d + q d^2), \
+            e.g. attenuation = [1, 0, 0.1]";
+    two_attenuations: "[[light]]\nkind = \"point\"\nposition = [0, 1, 0]\nattenuation = [1, 0]"
+        => "t.toml:4: light.attenuation: has 2 numbers where 3 belong; \
+            expected e.g. attenuation = [1, 0, 0.1]";
+    spot_without_direction: "[[light]]\nkind = \"spot\"\nposition = [0, 1, 0]"
+        => "t.toml:1: light.direction: is missing; \
+            expected the way the light travels, e.g. direction = [1, -1, -1]";
+    cone_angle: "[[light]]\nkind = \"spot\"\nposition = [0, 1, 0]\ndirection = [0, -1, 0]\ncone_angle = 90"
+        => "t.toml:5: light.cone_angle: 90 is out of range; expected a number in 1..=89";
+    exponent: "[[light]]\nkind = \"spot\"\nposition = [0, 1, 0]\ndirection = [0, -1, 0]\nexponent = 129"
+        => "t.toml:5: light.exponent: 129 is out of range; expected a number in 0..=128";
     light_without_direction: "[[light]]\nkind = \"directional\""
         => "t.toml:1: light.direction: is missing; \
             expected the way the light travels, e.g. direction = [1, -1, -1]";
     direction_zero: "[[light]]\nkind = \"directional\"\ndirection = [0, 0, 0]"
         => "t.toml:3: light.direction: has length 0; expected e.g. direction = [1, -1, -1]";
-    coloured_light: "[[light]]\nkind = \"ambient\"\ncolour = \"#ff0000\""
-        => "t.toml:3: light.colour: a coloured light is not supported yet; \
-            expected a grey, e.g. colour = \"#ffffff\"";
-    phong: "[[material]]\nshading = \"phong\""
-        => "t.toml:2: material.shading: \"phong\" is not supported yet; \
-            expected \"flat\" or \"gouraud\"";
-    specular: "[[material]]\nspecular = 0.5"
-        => "t.toml:2: material.specular: is not supported yet; \
-            expected specular = 0, or no such key";
+    light_colour: "[[light]]\nkind = \"ambient\"\ncolour = \"red\""
+        => "t.toml:3: light.colour: \"red\" is not a colour; expected e.g. colour = \"#ff8800\"";
+    shading: "[[material]]\nshading = \"smooth\""
+        => "t.toml:2: material.shading: \"smooth\" is unknown; \
+            expected \"flat\" or \"gouraud\" or \"phong\"";
+    specular: "[[material]]\nspecular = 1.5"
+        => "t.toml:2: material.specular: 1.5 is out of range; expected a number in 0..=1";
+    specular_power: "[[material]]\nspecular_power = 0"
+        => "t.toml:2: material.specular_power: 0 is out of range; expected a number in 1..=128";
+    specular_colour: "[[material]]\nspecular_color = \"#ffffff\""
+        => "t.toml:2: material.specular_color: is an unknown key; did you mean specular_colour?";
     texture: "[[material]]\ntexture = \"wood.png\""
         => "t.toml:2: material.texture: is not supported yet";
     same_names: "[[material]]\nname = \"a\"\n[[material]]\nname = \"a\""
@@ -156,7 +186,7 @@ fn no_actor() {
 #[test]
 fn neutral_values_of_later_keys_are_accepted() {
     let scene = read(
-        "[[material]]\nspecular = 0\nspecular_power = 20\nopacity = 1.0\nreflectivity = 0\n\
+        "[[material]]\nopacity = 1.0\nreflectivity = 0\n\
          refractive_index = 1\n[[actor]]\nmesh = \"meshes/cube.obj\"\nshear = [0, 0.0, 0]\n\
          representation = \"surface\"\n[camera]\nroll = 0\n[palette]\ndithering = \"none\"",
     );
@@ -175,7 +205,11 @@ fn defaults_are_vtks() {
         panic!("one default material");
     };
     assert_eq!((material.ambient, material.diffuse), (0.0, 1.0));
+    assert_eq!((material.specular, material.specular_power), (0.0, 1.0));
+    assert_eq!(material.emission, 0.0);
+    assert_eq!(material.ambient_colour, [1.0; 3]);
     assert_eq!(material.diffuse_colour, [1.0; 3]);
+    assert_eq!(material.specular_colour, [1.0; 3]);
     assert_eq!(
         (material.shading, material.cull),
         (Shading::Gouraud, Cull::Back)
@@ -214,6 +248,46 @@ fn a_light_but_no_ambient_one_leaves_ambient_white() {
     let text = "[[light]]\nkind = \"ambient\"\ncolour = \"#333333\"\nintensity = 2";
     let scene = read(&format!("{text}\n{ACTOR}")).unwrap();
     assert_eq!((scene.ambient, scene.lights.len()), ([0.4; 3], 0));
+}
+
+#[test]
+fn lights_have_vtks_meanings_and_defaults() {
+    let text = "[[light]]\nkind = \"point\"\nposition = [1, 2, 3]\ncolour = \"#ff0000\"\n\
+                attenuation = [0, 0.5, 2]\nintensity = 3\n\
+                [[light]]\nkind = \"spot\"\nposition = [0, 4, 0]\ndirection = [0, -1, 0]\n\
+                [[light]]\nkind = \"spot\"\nposition = [0, 4, 0]\ndirection = [0, -1, 0]\n\
+                cone_angle = 12.5\nexponent = 0";
+    let lights = read(&format!("{text}\n{ACTOR}")).unwrap().lights;
+    let point = LightKind::Point {
+        position: [1.0, 2.0, 3.0],
+        attenuation: [0.0, 0.5, 2.0],
+    };
+    let spot = |cone_angle, exponent| LightKind::Spot {
+        position: [0.0, 4.0, 0.0],
+        direction: [0.0, -1.0, 0.0],
+        attenuation: [1.0, 0.0, 0.0],
+        cone_angle,
+        exponent,
+    };
+    let kinds: Vec<LightKind> = lights.iter().map(|light| light.kind).collect();
+    assert_eq!(kinds, [point, spot(30.0, 1.0), spot(12.5, 0.0)]);
+    assert_eq!(lights[0].colour, [1.0, 0.0, 0.0]);
+    assert_eq!((lights[0].intensity, lights[1].intensity), (3.0, 1.0));
+}
+
+#[test]
+fn a_colour_is_all_three_unless_said_otherwise() {
+    let text = "[[material]]\ncolour = \"#ff0000\"\nspecular = 0.5\nspecular_power = 20\n\
+                shading = \"phong\"\n[[material]]\nspecular_colour = \"#ffffff\"\n\
+                colour = \"#0000ff\"";
+    let materials = read(&format!("{text}\n{ACTOR}")).unwrap().materials;
+    let (red, blue) = ([1.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
+    let colours = |m: &Material| [m.ambient_colour, m.diffuse_colour, m.specular_colour];
+    assert_eq!(colours(&materials[0]), [red; 3]);
+    assert_eq!(colours(&materials[1]), [blue, blue, [1.0; 3]]);
+    let shiny = &materials[0];
+    assert_eq!((shiny.specular, shiny.specular_power), (0.5, 20.0));
+    assert_eq!(shiny.shading, Shading::Phong);
 }
 
 #[test]

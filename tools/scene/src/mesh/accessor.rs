@@ -61,6 +61,35 @@ pub(super) fn vectors(
     Ok(items(buffers, accessor)?.map(vector).collect())
 }
 
+/// Linear colours: red, green, blue, with or without alpha, which is left out;
+/// floats, or bytes or 16-bit integers over their largest.
+pub(super) fn colours(
+    buffers: &Buffers,
+    accessor: &Accessor<'_>,
+) -> Result<Vec<[f32; 3]>, Refusal> {
+    let wide = matches!(accessor.dimensions(), Dimensions::Vec3 | Dimensions::Vec4);
+    let size = match accessor.data_type() {
+        DataType::F32 if wide => 4,
+        DataType::U16 if wide => 2,
+        DataType::U8 if wide => 1,
+        _ => {
+            return Err(Refusal::new(format!(
+                "accessors[{}]: has another type; \
+                 expected VEC3 or VEC4 of floats, unsigned bytes or shorts",
+                accessor.index()
+            )));
+        }
+    };
+    let channel = |bytes: &[u8]| match *bytes {
+        [a, b, c, d] => f32::from_le_bytes([a, b, c, d]),
+        [a, b] => f32::from(u16::from_le_bytes([a, b])) / f32::from(u16::MAX),
+        [a] => f32::from(a) / f32::from(u8::MAX),
+        _ => f32::NAN,
+    };
+    let colour = |item: &[u8]| [0, 1, 2].map(|at| channel(&item[at * size..(at + 1) * size]));
+    Ok(items(buffers, accessor)?.map(colour).collect())
+}
+
 /// Vertex indices, each below `vertices`.
 pub(super) fn indices(
     buffers: &Buffers,

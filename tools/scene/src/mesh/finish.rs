@@ -46,6 +46,8 @@ pub(super) fn finish(name: &str, soup: Soup) -> Result<Loaded, Refusal> {
         crease::corner_normals(&points, &by_point)
     };
 
+    // White changes nothing.
+    let coloured = soup.colours.iter().any(|colour| *colour != [1.0; 3]);
     let mut mesh = Mesh {
         name: name.to_owned(),
         ..Mesh::default()
@@ -57,10 +59,13 @@ pub(super) fn finish(name: &str, soup: Soup) -> Result<Loaded, Refusal> {
             let given = given[triangle[corner] as usize];
             let normal = given.unwrap_or_else(|| made[at][corner]) + DVec3::ZERO;
             let next = mesh.positions.len() as u32;
-            let key = (point, normal.to_array().map(f64::to_bits));
+            let colour = coloured.then(|| soup.colours[triangle[corner] as usize]);
+            let bits = |numbers: [f64; 3]| numbers.map(f64::to_bits);
+            let key = (point, bits(normal.into()), colour.map(bits));
             *vertices.entry(key).or_insert_with(|| {
                 mesh.positions.push(points[point as usize].into());
                 mesh.normals.push(normal.into());
+                mesh.colours.extend(colour);
                 next
             })
         });

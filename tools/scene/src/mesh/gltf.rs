@@ -1,6 +1,6 @@
 //! glTF 2.0, as text with buffers or as GLB: the triangles of all meshes in
-//! the default scene, each moved by its nodes. Cameras, lights, skins, morph
-//! targets and textures are left out.
+//! the default scene, each moved by its nodes, with normals and vertex colours.
+//! Cameras, lights, skins, morph targets and textures are left out.
 
 use std::path::Path;
 
@@ -190,8 +190,19 @@ impl Walk {
             Some(indices) => accessor::indices(&self.buffers, &indices, positions.len())?,
             None => (0..positions.len() as u32).collect(),
         };
+        let colours = match primitive.get(&Semantic::Colors(0)) {
+            Some(colours) => accessor::colours(&self.buffers, &colours)?,
+            None => Vec::new(),
+        };
         let first = self.soup.positions.len() as u32;
         let soup = &mut self.soup;
+        if !colours.is_empty() || !soup.colours.is_empty() {
+            // White where no colour was given, before this primitive and in it.
+            soup.colours.resize(soup.positions.len(), [1.0; 3]);
+            let encoded = colours.iter().map(|colour| colour.map(encode));
+            let all = encoded.chain(std::iter::repeat([1.0; 3]));
+            soup.colours.extend(all.take(positions.len()));
+        }
         let place = |position: &[f64; 3]| world.transform_point3((*position).into()).to_array();
         soup.positions.extend(positions.iter().map(place));
         // The inverse transpose, but for a factor, which also stands where
@@ -238,9 +249,6 @@ impl Walk {
         self.colours.push([red, green, blue].map(encode));
         if material.base_color_texture().is_some() {
             self.note("textures are left out");
-        }
-        if primitive.get(&Semantic::Colors(0)).is_some() {
-            self.note("vertex colours are left out");
         }
         if primitive.morph_targets().next().is_some() {
             self.note("morph targets are left out");

@@ -45,6 +45,8 @@ struct Soup {
     positions: Vec<[f64; 3]>,
     /// As many as positions.
     normals: Vec<Option<[f64; 3]>>,
+    /// As many as positions, or none; display-encoded.
+    colours: Vec<Rgb>,
     triangles: Vec<[u32; 3]>,
     colour: Option<Rgb>,
     notes: Vec<String>,

@@ -1,5 +1,6 @@
-//! Wavefront OBJ: positions, normals and faces; curves, points and lines are
-//! left out, materials with a note.
+//! Wavefront OBJ: positions, with the red, green and blue in 0..=1 that some
+//! programs write after them (display-encoded), normals and faces; curves, points
+//! and lines are left out, materials with a note.
 //!
 //! Own code, not the `tobj` crate, because that one names no lines, panics
 //! on an `f` without vertices, and mixes up normals when only some faces
@@ -9,6 +10,7 @@ use std::collections::HashMap;
 
 use super::polygon::{self, Polygons};
 use super::{MAX_TRIANGLES, Refusal, Soup};
+use crate::description::Rgb;
 
 const FACE: &str = "expected e.g. f 1 2 3 or f 1//1 2//2 3//3";
 
@@ -19,9 +21,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
     // Faces may come before the vertices that they name.
     let mut positions = Vec::new();
     let mut normals = Vec::new();
+    let mut colours: Vec<Option<Rgb>> = Vec::new();
     for (line, words) in statements(&text) {
         match words.first().copied() {
-            Some("v") => positions.push(numbers(line, "v", &words)?),
+            Some("v") => {
+                positions.push(numbers(line, "v", &words)?);
+                colours.push(colour(line, &words)?);
+            }
             Some("vn") => normals.push(numbers(line, "vn", &words)?),
             Some("mtllib") if soup.notes.is_empty() => {
                 soup.notes
@@ -31,6 +37,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
         }
     }
 
+    let coloured = colours.iter().any(Option::is_some);
     let mut vertices: HashMap<(usize, Option<usize>), u32> = HashMap::new();
     let mut polygons = Polygons::default();
     let (mut positions_so_far, mut normals_so_far) = (0, 0);
@@ -53,6 +60,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
                     let vertex = *vertices.entry((position, normal)).or_insert(next);
                     if vertex == next {
                         soup.positions.push(positions[position]);
+                        if coloured {
+                            soup.colours.push(colours[position].unwrap_or([1.0; 3]));
+                        }
                         soup.normals.push(normal.map(|normal| normals[normal]));
                     }
                     corners.push(vertex);
@@ -94,8 +104,29 @@ fn statements(text: &str) -> impl Iterator<Item = (usize, Vec<&str>)> {
     })
 }
 
-/// The first three numbers of a statement; weights and colours after them
-/// are left out.
+/// The colour after a vertex's position, if there is one; a weight before it is
+/// left out, as is a weight alone.
+fn colour(line: usize, words: &[&str]) -> Result<Option<Rgb>, Refusal> {
+    let first = match words.len() {
+        7 => 4,
+        8 => 5,
+        _ => return Ok(None),
+    };
+    let channel = |at: usize| {
+        let number = words[at].parse::<f64>().ok();
+        number.filter(|number| (0.0..=1.0).contains(number))
+    };
+    match [channel(first), channel(first + 1), channel(first + 2)] {
+        [Some(red), Some(green), Some(blue)] => Ok(Some([red, green, blue])),
+        _ => Err(Refusal::at(
+            line,
+            "v: has a colour out of range; expected red, green and blue in 0..=1, \
+             e.g. v 0 0.5 1 1 0.5 0",
+        )),
+    }
+}
+
+/// The first three numbers of a statement.
 fn numbers(line: usize, key: &str, words: &[&str]) -> Result<[f64; 3], Refusal> {
     let wrong =
         |what: String| Refusal::at(line, format!("{key}: {what}; expected e.g. {key} 0 0.5 1"));

@@ -1,5 +1,7 @@
 //! PLY, ASCII and binary of both byte orders: vertices with x, y, z and
-//! nx, ny, nz, faces as polygons, and triangle strips. All else is left out.
+//! nx, ny, nz and red, green, blue (display-encoded; integers over their type's
+//! largest, floats in 0..=1), faces as polygons, and triangle strips. All else
+//! is left out.
 
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{Encoding, Property, PropertyAccess, PropertyAccessResult};
@@ -12,8 +14,8 @@ use super::{MAX_TRIANGLES, Refusal, Soup};
 struct Item {
     position: [Option<f64>; 3],
     normal: [Option<f64>; 3],
+    colour: [Option<f64>; 3],
     indices: Option<Vec<i64>>,
-    coloured: bool,
 }
 
 impl PropertyAccess for Item {
@@ -36,17 +38,20 @@ impl PropertyAccess for Item {
                     None => PropertyAccessResult::UnsupportedType,
                 };
             }
-            "red" | "r" | "diffuse_red" => {
-                self.coloured = true;
-                return PropertyAccessResult::Ignored;
-            }
+            "red" | "r" | "diffuse_red" => return set(&mut self.colour[0], share(&property)),
+            "green" | "g" | "diffuse_green" => return set(&mut self.colour[1], share(&property)),
+            "blue" | "b" | "diffuse_blue" => return set(&mut self.colour[2], share(&property)),
             _ => return PropertyAccessResult::Ignored,
         };
-        *slot = number(&property);
-        match slot {
-            Some(_) => PropertyAccessResult::Set,
-            None => PropertyAccessResult::UnsupportedType,
-        }
+        set(slot, number(&property))
+    }
+}
+
+fn set(slot: &mut Option<f64>, number: Option<f64>) -> PropertyAccessResult {
+    *slot = number;
+    match slot {
+        Some(_) => PropertyAccessResult::Set,
+        None => PropertyAccessResult::UnsupportedType,
     }
 }
 
@@ -62,6 +67,20 @@ fn number(property: &Property) -> Option<f64> {
         Property::UInt(number) => Some((*number).into()),
         _ => None,
     }
+}
+
+/// A colour's channel, 1 for the largest of an integer type.
+fn share(property: &Property) -> Option<f64> {
+    let most = match property {
+        Property::Char(_) => i8::MAX.into(),
+        Property::UChar(_) => u8::MAX.into(),
+        Property::Short(_) => i16::MAX.into(),
+        Property::UShort(_) => u16::MAX.into(),
+        Property::Int(_) => i32::MAX.into(),
+        Property::UInt(_) => u32::MAX.into(),
+        _ => 1.0,
+    };
+    Some(number(property)? / most)
 }
 
 fn integers(property: &Property) -> Option<Vec<i64>> {
@@ -155,10 +174,28 @@ fn push_vertex(soup: &mut Soup, item: &Item) -> Result<(), String> {
         [Some(x), Some(y), Some(z)] => Some([x, y, z]),
         _ => None,
     });
-    if item.coloured && soup.notes.is_empty() {
-        soup.notes.push("vertex colours are left out".to_owned());
+    match item.colour {
+        [Some(red), Some(green), Some(blue)] => {
+            let colour = [red, green, blue];
+            if !colour.iter().all(|channel| (0.0..=1.0).contains(channel)) {
+                return Err("has a colour out of range; expected red, green and blue \
+                            in 0..=255 as uchar, or in 0..=1 as float"
+                    .to_owned());
+            }
+            soup.colours.push(colour);
+        }
+        [None, None, None] => {}
+        _ if soup.notes.is_empty() => {
+            let note = "vertex colours are left out, as red, green or blue is missing";
+            soup.notes.push(note.to_owned());
+        }
+        _ => {}
     }
-    Ok(())
+    if soup.colours.is_empty() || soup.colours.len() == soup.positions.len() {
+        Ok(())
+    } else {
+        Err("has a colour where others have none, or the other way round".to_owned())
+    }
 }
 
 fn indices(soup: &Soup, indices: &[i64]) -> Result<Vec<u32>, String> {

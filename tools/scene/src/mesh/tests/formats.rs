@@ -69,7 +69,10 @@ fn ply_strips_and_normals_are_read() {
     let loaded = load("a.ply", text.as_bytes()).unwrap();
     assert_eq!(loaded.mesh.triangles, [[0, 1, 2], [2, 1, 3]]);
     assert_eq!(loaded.mesh.normals, [[1.0, 0.0, 0.0]; 4]);
-    assert_eq!(loaded.notes, ["a.ply: vertex colours are left out"]);
+    assert_eq!(
+        loaded.notes,
+        ["a.ply: vertex colours are left out, as red, green or blue is missing"]
+    );
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Each format on a small sample, in all its variants.
 
+mod colours;
 mod damage;
 mod formats;
 mod normals;

@@ -19,6 +19,13 @@ pub(super) const PLY: &str = "ply\nformat ascii 1.0\ncomment a square\nelement v
     property float x\nproperty float y\nproperty float z\nelement face 1\n\
     property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 
+/// A square with colours: red, green, blue, and red again.
+pub(super) const COLOURED_PLY: &str = "ply\nformat ascii 1.0\nelement vertex 4\n\
+    property float x\nproperty float y\nproperty float z\nproperty uchar red\n\
+    property uchar green\nproperty uchar blue\nproperty uchar alpha\nelement face 1\n\
+    property list uchar int vertex_indices\nend_header\n0 0 0 255 0 0 9\n1 0 0 0 51 0 9\n\
+    1 1 0 0 0 255 9\n0 1 0 255 0 0 9\n4 0 1 2 3\n";
+
 pub(super) fn ply_binary(big_endian: bool) -> Vec<u8> {
     let order = if big_endian { "big" } else { "little" };
     let mut bytes = PLY[..PLY.find("0 0 0").unwrap()]
@@ -118,9 +125,13 @@ pub(super) fn gltf(node: &str, primitive: &str) -> String {
 }
 
 pub(super) fn glb(node: &str, primitive: &str) -> Vec<u8> {
-    let mut json = gltf_json("", node, primitive).into_bytes();
+    glb_of(gltf_json("", node, primitive), gltf_data())
+}
+
+fn glb_of(json: String, mut data: Vec<u8>) -> Vec<u8> {
+    let mut json = json.into_bytes();
     json.resize(json.len().next_multiple_of(4), b' ');
-    let data = gltf_data();
+    data.resize(data.len().next_multiple_of(4), 0);
     let mut bytes = b"glTF".to_vec();
     let length = |bytes: &[u8]| (bytes.len() as u32).to_le_bytes();
     bytes.extend(2_u32.to_le_bytes());
@@ -136,6 +147,32 @@ pub(super) fn glb(node: &str, primitive: &str) -> Vec<u8> {
 
 pub(super) const INDICES: &str = r#", "indices": 0"#;
 
+/// Four bytes a colour.
+pub(super) const BYTES: &str = r#""componentType": 5121, "normalized": true, "type": "VEC4""#;
+
+/// The square as GLB with an accessor of colours: `kind` is its `componentType`
+/// and `type`, `data` its bytes.
+pub(super) fn coloured_glb(kind: &str, data: &[u8]) -> Vec<u8> {
+    let length = 108 + data.len();
+    let json = gltf_json("", "", INDICES)
+        .replace("\"NORMAL\": 2", "\"NORMAL\": 2, \"COLOR_0\": 3")
+        .replacen(
+            "],\n\"bufferViews\"",
+            &format!(", {{\"bufferView\": 3, {kind}, \"count\": 4}}],\n\"bufferViews\""),
+            1,
+        )
+        .replacen(
+            "],\n\"buffers\"",
+            &format!(
+                ", {{\"buffer\": 0, \"byteOffset\": 108, \"byteLength\": {}}}],\n\"buffers\"",
+                data.len()
+            ),
+            1,
+        )
+        .replace("\"byteLength\": 108", &format!("\"byteLength\": {length}"));
+    glb_of(json, [&gltf_data(), data].concat())
+}
+
 /// All of the above by file name.
 pub(super) fn all() -> Vec<(&'static str, Vec<u8>)> {
     let mirrored = r#", "scale": [-1, 1, 1]"#;
@@ -148,5 +185,7 @@ pub(super) fn all() -> Vec<(&'static str, Vec<u8>)> {
         ("binary.stl", stl_binary()),
         ("a.gltf", gltf("", INDICES).into()),
         ("a.glb", glb(mirrored, INDICES)),
+        ("coloured.ply", COLOURED_PLY.into()),
+        ("coloured.glb", coloured_glb(BYTES, &[255; 16])),
     ]
 }
