@@ -1,7 +1,7 @@
 //! What a description can say and the core cannot draw yet. Each capability's
 //! line goes when the core has it.
 
-use fixel_scene::{Light, LightKind, Material, Scene, Shading};
+use fixel_scene::{Light, LightKind, Look, Material, Scene, Shading};
 
 use crate::BakeError;
 
@@ -17,6 +17,12 @@ pub(crate) fn check(scene: &Scene) -> Result<(), BakeError> {
         Some(format!("material `{}`: {what}", material.name))
     });
     let actors = scene.actors.iter().filter_map(|actor| {
+        if actor.look != Look::default() {
+            return Some(format!(
+                "actor `{}`: a look other than a surface",
+                actor.name
+            ));
+        }
         let coloured = !scene.meshes[actor.mesh].colours.is_empty();
         coloured.then(|| format!("actor `{}`: a mesh with vertex colours", actor.name))
     });

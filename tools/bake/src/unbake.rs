@@ -7,8 +7,8 @@
 use fixel::Scene as Blob;
 use fixel::scene as core_scene;
 use fixel_scene::{
-    Actor, Animation, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Material,
-    Mesh, Palette, Projection, Rgb, Scene, Shading,
+    Actor, Animation, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Look,
+    Material, Mesh, Palette, Projection, Rgb, Scene, Shading,
 };
 use glam::DVec3;
 
@@ -80,6 +80,8 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
                         .orientation
                         .map(|a| f64::from(a) * 360.0 / f64::exp2(32.0)),
                     scale: [step; 3],
+                    look: Look::default(),
+                    still: false,
                 }
             })
             .collect(),

@@ -10,6 +10,7 @@ use crate::description::{
 };
 use crate::error::Error;
 use crate::framing::{self, Bounds};
+use crate::look::Look;
 use crate::mesh;
 
 /// Degrees from the front towards the mesh's right, and upwards.
@@ -34,6 +35,8 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
         position: [0.0; 3],
         orientation: [0.0; 3],
         scale: [1.0; 3],
+        look: Look::default(),
+        still: false,
     }];
     let display = Display {
         width: 320,

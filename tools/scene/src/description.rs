@@ -6,6 +6,8 @@
 //! Units: lengths in scene units, angles in degrees, colours display-encoded
 //! red, green, blue in 0..=1. Meanings of camera and actor fields are VTK's.
 
+use crate::look::Look;
+
 /// A colour: display-encoded red, green and blue, each in 0..=1.
 pub type Rgb = [f64; 3];
 
@@ -266,6 +268,13 @@ pub struct Mesh {
     /// Vertex indices, counter-clockwise seen from outside. May hold
     /// triangles without area; indices are all within `positions`.
     pub triangles: Vec<[u32; 3]>,
+    /// What a wireframe draws, as vertex indices: each edge of the triangles
+    /// once, even if its triangles have vertices of their own at the same
+    /// places, without those that only divide a polygon into triangles; or
+    /// lines by themselves.
+    pub edges: Vec<[u32; 2]>,
+    /// The radius, if the triangles stand for a sphere about the origin.
+    pub sphere: Option<f64>,
 }
 
 /// A mesh placed in the world: a point goes to `origin`, is scaled, turned
@@ -288,6 +297,10 @@ pub struct Actor {
     /// Factors along x, y, z; not 0, may be negative (a reflection keeps the
     /// faces' outer side outward).
     pub scale: [f64; 3],
+    /// What of it is drawn, and how.
+    pub look: Look,
+    /// A turntable leaves it where it is.
+    pub still: bool,
 }
 
 /// What moves from frame to frame.

@@ -5,6 +5,7 @@
 use glam::DVec3;
 
 use crate::description::{Actor, Camera, Mesh, Projection};
+use crate::look::Space;
 
 /// Around all actors, in world space.
 #[derive(Clone, Debug)]
@@ -25,12 +26,14 @@ impl Bounds {
     pub fn of(actors: &[Actor], meshes: &[Mesh], turntable: Option<u32>) -> Self {
         let mut spheres = Vec::new();
         let mut corners = Vec::new();
-        for actor in actors {
+        let in_world = |actor: &&Actor| actor.look.space == Space::World;
+        for actor in actors.iter().filter(in_world) {
             let Some(mesh) = meshes.get(actor.mesh) else {
                 continue;
             };
             let local = box_corners(&mesh.positions);
             let before = corners.len();
+            let turntable = turntable.filter(|_| !actor.still);
             for step in 0..turntable.map_or(1, |_| TURNTABLE_STEPS) {
                 let turn = 360.0 * f64::from(step) / f64::from(TURNTABLE_STEPS);
                 corners.extend(local.map(|corner| place(actor, turn, corner)));

@@ -7,12 +7,14 @@ mod description;
 mod error;
 mod file;
 mod framing;
+mod look;
 mod mesh;
 
 use std::path::Path;
 
 pub use description::*;
 pub use error::Error;
+pub use look::*;
 
 /// Reads a scene file (`.toml`), or a bare mesh (`.obj`, `.glb`, `.gltf`,
 /// `.stl`, `.ply`), which is framed automatically. Extensions may be in

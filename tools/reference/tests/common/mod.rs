@@ -148,6 +148,8 @@ pub fn add(scene: &mut Scene, mesh: Mesh) -> &mut Actor {
         position: [0.0; 3],
         orientation: [0.0; 3],
         scale: [1.0; 3],
+        look: fixel_scene::Look::default(),
+        still: false,
     });
     scene.actors.last_mut().unwrap()
 }

@@ -17,6 +17,12 @@ fn parse(text: &str) -> Option<Rgb> {
     Some([16, 8, 0].map(|shift| f64::from((value >> shift) & 255) / 255.0))
 }
 
+/// A colour as a scene file writes it.
+pub(super) fn text(colour: Rgb) -> String {
+    let [red, green, blue] = colour.map(|channel| (channel * 255.0).round() as u8);
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
 fn value(table: &Table<'_, '_>, key: &str, value: &DeValue<'_>) -> Result<Rgb, Error> {
     let found = match value {
         DeValue::String(text) => match parse(text) {

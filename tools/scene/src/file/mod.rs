@@ -2,10 +2,12 @@
 //! in, or the first mistake with its line. Used by [`crate::load`].
 
 mod actor;
+mod annotation;
 mod camera;
 mod colour;
 mod display;
 mod light;
+mod look;
 mod material;
 mod panel;
 mod table;
@@ -39,14 +41,14 @@ const ROOT: Keys = Keys {
         "light",
         "material",
         "actor",
+        "line",
+        "marker",
+        "text",
         "animation",
         "palette",
     ],
     later: &[
         ("viewport", Neutral::Never),
-        ("text", Neutral::Never),
-        ("line", Neutral::Never),
-        ("marker", Neutral::Never),
         ("fog", Neutral::Never),
         ("plane", Neutral::Never),
         ("ray", Neutral::Never),
@@ -66,9 +68,14 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
     let animation = display::animation(animation.as_ref())?;
     let palette = one(&root, "palette", &display::PALETTE)?;
     let palette = display::palette(palette.as_ref())?;
-    let materials = materials(&root)?;
+    let mut materials = materials(&root)?;
     let (ambient, lights) = lights(&root)?;
-    let (meshes, actors) = actors(&root, &materials, notes)?;
+    let (mut meshes, mut actors) = actors(&root, &materials, notes)?;
+    annotation::annotations(&root, &mut materials, &mut meshes, &mut actors)?;
+    if actors.is_empty() {
+        let what = "actor: is missing; expected at least one [[actor]] with a mesh";
+        return Err(Error::new(source.file, what));
+    }
 
     let bounds = Bounds::of(&actors, &meshes, animation.turntable);
     let aspect = f64::from(display.width) / f64::from(display.height);
@@ -209,25 +216,33 @@ fn actors(
     let mut actors: Vec<Actor> = Vec::new();
     for (table, header) in many(root, "actor")? {
         let table = Table::new(root.source, "actor", table, header, &actor::ACTOR)?;
-        let example = "meshes/teapot.obj";
-        let Some(name) = table.text("mesh", example)? else {
-            let what = format!("is missing; expected e.g. mesh = \"{example}\"");
-            return Err(table.error("mesh", what));
-        };
-        let folder = root.source.file.parent().unwrap_or(Path::new(""));
-        let path = folder.join(name);
-        let index = match paths.iter().position(|other| *other == path) {
-            Some(index) => index,
-            None => {
-                let bytes = mesh::check_name(&path)
-                    .and_then(|()| mesh::read(&path))
-                    .map_err(|what| table.error("mesh", format!("\"{name}\" {what}")))?;
-                let mut loaded = mesh::parse(&path, &bytes)?;
-                loaded.mesh.name = name.to_owned();
-                notes.append(&mut loaded.notes);
-                meshes.push(loaded.mesh);
-                paths.push(path);
-                meshes.len() - 1
+        let index = match actor::shape(&table)? {
+            actor::Shape::File(name) => {
+                let folder = root.source.file.parent().unwrap_or(Path::new(""));
+                let path = folder.join(name);
+                match paths.iter().position(|other| *other == path) {
+                    Some(index) => index,
+                    None => {
+                        let bytes = mesh::check_name(&path)
+                            .and_then(|()| mesh::read(&path))
+                            .map_err(|what| table.error("mesh", format!("\"{name}\" {what}")))?;
+                        let mut loaded = mesh::parse(&path, &bytes)?;
+                        loaded.mesh.name = name.to_owned();
+                        notes.append(&mut loaded.notes);
+                        meshes.push(loaded.mesh);
+                        paths.push(path);
+                        meshes.len() - 1
+                    }
+                }
+            }
+            actor::Shape::Made(made) => {
+                let known = meshes.iter().position(|other| *other == made);
+                known.unwrap_or_else(|| {
+                    meshes.push(made);
+                    // A name that no file has.
+                    paths.push(PathBuf::new());
+                    meshes.len() - 1
+                })
             }
         };
         let actor = actor::actor(&table, actors.len(), index, materials)?;
@@ -237,10 +252,6 @@ fn actors(
             return Err(table.error("name", what));
         }
         actors.push(actor);
-    }
-    if actors.is_empty() {
-        let what = "actor: is missing; expected at least one [[actor]] with a mesh";
-        return Err(Error::new(root.source.file, what));
     }
     Ok((meshes, actors))
 }

@@ -169,6 +169,18 @@ impl<'t, 'i> Table<'t, 'i> {
         }
     }
 
+    /// True or false.
+    pub fn boolean(&self, key: &str) -> Result<Option<bool>, Error> {
+        match self.get(key).map(Spanned::get_ref) {
+            None => Ok(None),
+            Some(DeValue::Boolean(value)) => Ok(Some(*value)),
+            Some(_) => Err(self.error(
+                key,
+                format!("is neither true nor false; expected e.g. {key} = true"),
+            )),
+        }
+    }
+
     /// A whole number in a range.
     pub fn whole(&self, key: &str, range: RangeInclusive<u32>) -> Result<Option<u32>, Error> {
         let Some(value) = self.get(key) else {

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::parse;
+use crate::Space;
 use crate::description::{
     Background, ColourFormat, Cull, Light, LightKind, Material, Projection, Scene, Shading,
 };
@@ -167,11 +168,43 @@ messages! {
     scale_zero: "[[actor]]\nmesh = \"meshes/cube.obj\"\nscale = [1, 0, 1]"
         => "t.toml:3: actor.scale: 0 is out of range (1e-6..=1e6 either side of 0); \
             expected e.g. scale = 2 or scale = [1, 2, 1]";
-    sphere: "[[actor]]\nsphere = 1"
-        => "t.toml:2: actor.sphere: is not supported yet";
-    wireframe: "[[actor]]\nmesh = \"meshes/cube.obj\"\nrepresentation = \"wireframe\""
-        => "t.toml:3: actor.representation: is not supported yet; \
-            expected representation = \"surface\", or no such key";
+    two_meshes: "[[actor]]\nmesh = \"meshes/cube.obj\"\nsphere = 1"
+        => "t.toml:3: actor.sphere: is one mesh too many; \
+            expected one of mesh, sphere and polygon";
+    detail_of_nothing: "[[actor]]\nmesh = \"meshes/cube.obj\"\ndetail = 1"
+        => "t.toml:3: actor.detail: says nothing here; expected it with sphere";
+    hole_of_two: "[[actor]]\npolygon = [[0, 0, 0], [9, 0, 0], [0, 9, 0]]\n\
+                  holes = [[[1, 1, 0], [2, 1, 0]]]"
+        => "t.toml:3: actor.holes: has fewer than 3 corners; \
+            expected e.g. polygon = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]";
+    flat_polygon: "[[actor]]\npolygon = [[0, 0, 0], [1, 0, 0], [2, 0, 0]]"
+        => "t.toml:2: actor.polygon: has no area; \
+            expected e.g. polygon = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]";
+    line_width_of_a_surface: "[[actor]]\nmesh = \"meshes/cube.obj\"\nline_width = 2"
+        => "t.toml:3: actor.line_width: says nothing here; expected it with \
+            representation = \"wireframe\" or representation = \"hidden_line\"";
+    line_of_one_point: "[[line]]\npoints = [[0, 0, 0]]"
+        => "t.toml:2: line.points: has 1 points where at least 2 belong; \
+            expected e.g. points = [[0, 0, 0], [1, 0, 0]]";
+    line_without_points: "[[line]]\nspace = \"screen\""
+        => "t.toml:1: line.points: is missing; \
+            expected e.g. points = [[10.5, 20.5], [30.5, 20.5]]";
+    point_in_space_on_the_screen: "[[marker]]\nspace = \"screen\"\npoints = [[1, 2, 3]]"
+        => "t.toml:3: marker.points: point 0 has 3 numbers where 2 belong; \
+            expected e.g. points = [[10.5, 20.5], [30.5, 20.5]]";
+    depth_on_the_screen: "[[marker]]\nspace = \"screen\"\npoints = [[1, 2]]\ndepth_test = true"
+        => "t.toml:4: marker.depth_test: says nothing on the screen, which has no depth; \
+            expected no such key";
+    closed_by_a_word: "[[line]]\npoints = [[0, 0, 0], [1, 0, 0]]\nclosed = \"yes\""
+        => "t.toml:3: line.closed: is neither true nor false; expected e.g. closed = true";
+    strange_letter: "[[text]]\nposition = [0, 0, 0]\ntext = \"\u{3bb}\""
+        => "t.toml:3: text.text: '\u{3bb}' is in none of the fonts; \
+            expected letters of ISO 8859-1, e.g. text = \"Hello\"";
+    text_nowhere: "[[text]]\ntext = \"a\""
+        => "t.toml:1: text.position: is missing; expected e.g. position = [0, 1.5, 0]";
+    font: "[[text]]\ntext = \"a\"\nposition = [0, 0, 0]\nfont = \"8x8\""
+        => "t.toml:4: text.font: \"8x8\" is unknown; expected \"6x10\" or \"4x6\" or \"5x8\" or \
+            \"7x13\" or \"9x15\" or \"10x20\"";
     shear: "[[actor]]\nmesh = \"meshes/cube.obj\"\nshear = [0, 1, 0]"
         => "t.toml:3: actor.shear: is not supported yet; \
             expected shear = [0, 0, 0], or no such key";
@@ -332,4 +365,23 @@ fn cut_anywhere_a_file_never_panics() {
         let _ = read(&head[..end]);
         let _ = read(&format!("{}\"\n{ACTOR}", &head[..end]));
     }
+}
+
+#[test]
+fn annotations_are_actors_that_stay_where_they_are() {
+    let scene = read(
+        "[animation]\nturntable = 8\n[[line]]\npoints = [[0, 0, 0], [1, 0, 0], [1, 1, 0]]\n\
+         closed = true\ncolour = \"#ff0000\"\n[[marker]]\nspace = \"screen\"\npoints = [[3, 4]]\n\
+         [[text]]\ntext = \"a\"\nposition = [0, 0, 9]\ncolour = \"#ff0000\"",
+    );
+    let scene = scene.unwrap();
+    assert_eq!(scene.meshes[0].edges, [[0, 1], [1, 2], [2, 0]]);
+    assert_eq!(scene.meshes[1].positions, [[3.0, 4.0, 0.0]]);
+    assert!(scene.actors.iter().all(|actor| actor.still));
+    let materials: Vec<usize> = scene.actors.iter().map(|actor| actor.material).collect();
+    assert_eq!(materials, [1, 2, 1]);
+    assert_eq!(scene.materials[1].name, "unlit #ff0000");
+    assert_eq!(scene.actors[1].look.space, Space::Screen);
+    // The marker on the screen is not in the world, whose middle is this one.
+    assert_eq!(scene.camera.focal_point, [0.5, 0.5, 4.5]);
 }

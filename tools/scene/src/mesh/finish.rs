@@ -1,7 +1,7 @@
 //! What every format's mesh goes through: checks, normals, and vertices that
 //! are the same made one.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use glam::DVec3;
 
@@ -52,6 +52,9 @@ pub(super) fn finish(name: &str, soup: Soup) -> Result<Loaded, Refusal> {
         name: name.to_owned(),
         ..Mesh::default()
     };
+    let by_points = |side: [u32; 2]| polygon::sorted(side.map(|index| point_of[index as usize]));
+    let diagonals: HashSet<[u32; 2]> = soup.diagonals.iter().copied().map(by_points).collect();
+    let mut edges = HashSet::new();
     let mut vertices = HashMap::new();
     for (at, triangle) in soup.triangles.iter().enumerate() {
         let corners = std::array::from_fn(|corner| {
@@ -70,6 +73,15 @@ pub(super) fn finish(name: &str, soup: Soup) -> Result<Loaded, Refusal> {
             })
         });
         mesh.triangles.push(corners);
+        let sides = polygon::sides(*triangle)
+            .into_iter()
+            .zip(polygon::sides(corners));
+        for (side, edge) in sides {
+            let side = by_points(side);
+            if side[0] != side[1] && !diagonals.contains(&side) && edges.insert(side) {
+                mesh.edges.push(edge);
+            }
+        }
     }
     Ok(Loaded {
         mesh,

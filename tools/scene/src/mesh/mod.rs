@@ -9,14 +9,18 @@ mod gltf;
 mod obj;
 mod ply;
 mod polygon;
+mod primitive;
 mod stl;
 #[cfg(test)]
 mod tests;
 
+use std::collections::HashSet;
 use std::path::Path;
 
 use crate::description::{Mesh, Rgb};
 use crate::error::Error;
+
+pub(crate) use primitive::{polygon, sphere};
 
 /// More than this is a mistake, not a scene for a microcontroller.
 const MAX_TRIANGLES: usize = 4_000_000;
@@ -48,6 +52,8 @@ struct Soup {
     /// As many as positions, or none; display-encoded.
     colours: Vec<Rgb>,
     triangles: Vec<[u32; 3]>,
+    /// Sides of triangles that are inside a polygon, the lower index first.
+    diagonals: HashSet<[u32; 2]>,
     colour: Option<Rgb>,
     notes: Vec<String>,
 }

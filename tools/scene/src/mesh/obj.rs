@@ -74,7 +74,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
                         format!("f: has {count} vertices where at least 3 belong; {FACE}"),
                     ));
                 }
-                polygons.push(&soup.positions, &corners, &mut soup.triangles);
+                polygons.push(&mut soup, &corners);
                 if soup.triangles.len() > MAX_TRIANGLES {
                     return Err(Refusal::too_many());
                 }

@@ -144,7 +144,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
                         )));
                     }
                     let corners = indices(&soup, &corners).map_err(wrong)?;
-                    polygons.push(&soup.positions, &corners, &mut soup.triangles);
+                    polygons.push(&mut soup, &corners);
                 }
                 "tristrips" => {
                     for strip in item.indices.unwrap_or_default().split(|i| *i == -1) {

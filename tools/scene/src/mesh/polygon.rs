@@ -1,9 +1,16 @@
 //! Polygons into triangles: a fan where the polygon is convex, ears cut off
 //! one by one where it is not (G. Meisters, "Polygons have ears", 1975).
+//!
+//! Own code for the faces of meshes, not the `earcut` crate, because that one
+//! drops corners that lie on a straight line: where the neighbour has a vertex
+//! there, the surface would have cracks. Polygons with holes go through the
+//! crate; see [`super::primitive`].
+
+use std::collections::HashSet;
 
 use glam::{DVec2, DVec3};
 
-use super::MAX_COORDINATE;
+use super::{MAX_COORDINATE, Soup};
 
 /// Cutting ears takes time by the square of the corners.
 const MAX_EARS: usize = 10_000;
@@ -21,8 +28,21 @@ pub(super) fn is_sane(position: &[f64; 3]) -> bool {
 
 impl Polygons {
     /// Adds the triangles of one polygon: one for each corner beyond two.
-    /// Corners are indices into `positions`.
-    pub fn push(&mut self, positions: &[[f64; 3]], corners: &[u32], out: &mut Vec<[u32; 3]>) {
+    /// Corners are indices into the soup's positions.
+    pub fn push(&mut self, soup: &mut Soup, corners: &[u32]) {
+        let first = soup.triangles.len();
+        self.triangulate(&soup.positions, corners, &mut soup.triangles);
+        let added = &soup.triangles[first..];
+        if added.len() > 1 {
+            let outline = corners.iter().zip(corners.iter().cycle().skip(1));
+            let outline: HashSet<[u32; 2]> = outline.map(|(a, b)| sorted([*a, *b])).collect();
+            let sides = added.iter().flat_map(|triangle| sides(*triangle));
+            let inner = sides.map(sorted).filter(|side| !outline.contains(side));
+            soup.diagonals.extend(inner);
+        }
+    }
+
+    fn triangulate(&mut self, positions: &[[f64; 3]], corners: &[u32], out: &mut Vec<[u32; 3]>) {
         if let [a, b, c] = *corners {
             out.push([a, b, c]);
             return;
@@ -102,6 +122,16 @@ impl Polygons {
                 || (a - c).perp_dot(*p - c) < 0.0
         })
     }
+}
+
+/// A triangle's sides, each from its corner on.
+pub(super) fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+    [[a, b], [b, c], [c, a]]
+}
+
+/// The same whichever way the side is gone.
+pub(super) fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
 }
 
 /// Adds the triangles of a strip: each corner with the two before it, every

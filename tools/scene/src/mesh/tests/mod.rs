@@ -2,6 +2,7 @@
 
 mod colours;
 mod damage;
+mod edges;
 mod formats;
 mod normals;
 mod samples;
