@@ -88,9 +88,10 @@ proptest! {
         let check = |what: &str, got: f64, normal: V| {
             let (exact, sum) = exact(normal);
             let want = exact.min(255.0);
-            // A light's steps and the sum's, each 1/64 cut off; one over a normal's
+            // A light's steps in x, y and z and the sum's, each 1/64 cut off: of a
+            // normal of length 1 the three are sqrt(3) at most. One over a normal's
             // length is good to 2^-12.
-            let most = (1.0 + lights.len() as f64) / 64.0 + sum.min(255.0) / 4096.0;
+            let most = (1.0 + 3f64.sqrt() * lights.len() as f64) / 64.0 + sum.min(255.0) / 4096.0;
             prop_assert!((got - want).abs() <= most, "{}: {} instead of {}, {} allowed", what, got, want, most);
             Ok(())
         };
