@@ -90,6 +90,8 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
         },
         palette: Palette {
             colours: blob.palette().len() as u32,
+            fixed: blob.palette().to_vec(),
+            ..Palette::default()
         },
     }
 }

@@ -75,6 +75,6 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
         meshes,
         actors,
         animation: Animation::default(),
-        palette: Palette { colours: 256 },
+        palette: Palette::default(),
     })
 }

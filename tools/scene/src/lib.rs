@@ -9,6 +9,7 @@ mod file;
 mod framing;
 mod look;
 mod mesh;
+mod picture;
 
 use std::path::Path;
 

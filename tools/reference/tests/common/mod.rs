@@ -53,7 +53,7 @@ fn scene(width: u32, height: u32, projection: Projection) -> Scene {
         meshes: Vec::new(),
         actors: Vec::new(),
         animation: Animation::default(),
-        palette: Palette { colours: 256 },
+        palette: Palette::default(),
     }
 }
 

@@ -9,12 +9,17 @@ use crate::error::Error;
 
 /// `"#rrggbb"` as display-encoded red, green, blue in 0..=1.
 fn parse(text: &str) -> Option<Rgb> {
-    let digits = text.strip_prefix('#')?;
+    let bytes = digits(text.strip_prefix('#')?)?;
+    Some(bytes.map(|byte| f64::from(byte) / 255.0))
+}
+
+/// `"rrggbb"` as 8 bits a channel.
+pub(super) fn digits(digits: &str) -> Option<[u8; 3]> {
     if digits.len() != 6 || !digits.bytes().all(|byte| byte.is_ascii_hexdigit()) {
         return None;
     }
     let value = u32::from_str_radix(digits, 16).ok()?;
-    Some([16, 8, 0].map(|shift| f64::from((value >> shift) & 255) / 255.0))
+    Some([16, 8, 0].map(|shift| (value >> shift) as u8))
 }
 
 /// A colour as a scene file writes it.

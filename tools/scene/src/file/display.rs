@@ -1,9 +1,9 @@
-//! `[display]`, `[animation]` and `[palette]`.
+//! `[display]` and `[animation]`.
 
 use super::colour;
 use super::panel::PANELS;
 use super::table::{Keys, Neutral, Table};
-use crate::description::{Animation, Background, ColourFormat, Display, Palette};
+use crate::description::{Animation, Background, ColourFormat, Display};
 use crate::error::Error;
 
 pub(super) const DISPLAY: Keys = Keys {
@@ -25,15 +25,6 @@ pub(super) const ANIMATION: Keys = Keys {
         ("key_frames", Neutral::Never),
         ("palette_cycle", Neutral::Never),
         ("palette_cycling", Neutral::Never),
-    ],
-};
-
-pub(super) const PALETTE: Keys = Keys {
-    known: &["colours"],
-    later: &[
-        ("file", Neutral::Never),
-        ("ramps", Neutral::Never),
-        ("dithering", Neutral::Text("none")),
     ],
 };
 
@@ -92,12 +83,4 @@ pub(super) fn display(table: Option<&Table<'_, '_>>) -> Result<Display, Error> {
 pub(super) fn animation(table: Option<&Table<'_, '_>>) -> Result<Animation, Error> {
     let turntable = table.map_or(Ok(None), |table| table.whole("turntable", 1..=100_000))?;
     Ok(Animation { turntable })
-}
-
-/// The palette; 256 entries by default.
-pub(super) fn palette(table: Option<&Table<'_, '_>>) -> Result<Palette, Error> {
-    let colours = table.map_or(Ok(None), |table| table.whole("colours", 2..=256))?;
-    Ok(Palette {
-        colours: colours.unwrap_or(256),
-    })
 }

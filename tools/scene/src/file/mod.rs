@@ -9,6 +9,8 @@ mod display;
 mod light;
 mod look;
 mod material;
+mod palette;
+mod palette_file;
 mod panel;
 mod table;
 #[cfg(test)]
@@ -66,8 +68,8 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
     let display = display::display(display.as_ref())?;
     let animation = one(&root, "animation", &display::ANIMATION)?;
     let animation = display::animation(animation.as_ref())?;
-    let palette = one(&root, "palette", &display::PALETTE)?;
-    let palette = display::palette(palette.as_ref())?;
+    let palette = one(&root, "palette", &palette::PALETTE)?;
+    let palette = palette::palette(palette.as_ref())?;
     let mut materials = materials(&root)?;
     let (ambient, lights) = lights(&root)?;
     let (mut meshes, mut actors) = actors(&root, &materials, notes)?;
@@ -218,8 +220,7 @@ fn actors(
         let table = Table::new(root.source, "actor", table, header, &actor::ACTOR)?;
         let index = match actor::shape(&table)? {
             actor::Shape::File(name) => {
-                let folder = root.source.file.parent().unwrap_or(Path::new(""));
-                let path = folder.join(name);
+                let path = root.source.beside(name);
                 match paths.iter().position(|other| *other == path) {
                     Some(index) => index,
                     None => {

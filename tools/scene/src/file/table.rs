@@ -2,7 +2,7 @@
 //! later, or a mistake: nothing in a scene file is silently ignored.
 
 use std::ops::{Range, RangeInclusive};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
@@ -23,6 +23,11 @@ impl Source<'_> {
         let line = before.matches('\n').count() + 1;
         let column = before.chars().rev().take_while(|c| *c != '\n').count() + 1;
         (line, column)
+    }
+
+    /// The path of a file that the scene file names, beside which it is.
+    pub fn beside(&self, name: &str) -> PathBuf {
+        self.file.parent().unwrap_or(Path::new("")).join(name)
     }
 
     pub fn error(&self, offset: usize, message: impl Into<String>) -> Error {

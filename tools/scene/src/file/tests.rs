@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use super::parse;
 use crate::Space;
 use crate::description::{
-    Background, ColourFormat, Cull, Light, LightKind, Material, Projection, Scene, Shading,
+    Background, ColourFormat, Cull, Dithering, Light, LightKind, Material, Palette, Projection,
+    Ramp, Scene, Shading,
 };
 
 /// A scene file that is not there, among the repository's scenes.
@@ -156,6 +157,28 @@ messages! {
             expected a whole number in 1..=100000";
     colours: "[palette]\ncolours = 257"
         => "t.toml:2: palette.colours: 257 is out of range; expected a whole number in 2..=256";
+    palette_kind: "[palette]\nfile = \"warm.act\""
+        => "t.toml:2: palette.file: \"warm.act\" is not a kind of palette file; \
+            expected one of .gpl, .hex, .png";
+    palette_missing: "[palette]\nfile = \"warm.gpl\""
+        => "t.toml:2: palette.file: \"warm.gpl\" does not exist";
+    palette_file_and_colours: "[palette]\nfile = \"warm.gpl\"\ncolours = 16"
+        => "t.toml:3: palette.colours: does not go with file, which has all entries; \
+            expected one of the two";
+    ramps: "[palette]\nramps = 16"
+        => "t.toml:2: palette.ramps: is not a list; \
+            expected e.g. ramps = [{ from = \"#000000\", to = \"#ff8800\", steps = 16 }]";
+    ramp_without_end: "[palette]\nramps = [\n{ from = \"#000000\", steps = 4 }]"
+        => "t.toml:3: palette.ramps.to: is missing; \
+            expected e.g. { from = \"#000000\", to = \"#ff8800\", steps = 16 }";
+    too_many_steps: "[palette]\ncolours = 8\nramps = [\n\
+            { from = \"#000000\", to = \"#ff0000\", steps = 5 },\n\
+            { from = \"#000000\", to = \"#00ff00\", steps = 4 }]"
+        => "t.toml:3: palette.ramps: have 9 steps together; \
+            expected at most 8, as colours says";
+    dithering: "[palette]\ndithering = \"floyd\""
+        => "t.toml:2: palette.dithering: \"floyd\" is unknown; \
+            expected \"none\" or \"bayer4\" or \"bayer8\"";
     no_material: "[[material]]\nname = \"a\"\n[[actor]]\nmesh = \"meshes/cube.obj\"\nmaterial = \"b\""
         => "t.toml:5: actor.material: no [[material]] is named \"b\"; expected \"a\"";
     no_mesh_key: "[[actor]]\nname = \"a\""
@@ -221,7 +244,7 @@ fn neutral_values_of_later_keys_are_accepted() {
     let scene = read(
         "[[material]]\nopacity = 1.0\nreflectivity = 0\n\
          refractive_index = 1\n[[actor]]\nmesh = \"meshes/cube.obj\"\nshear = [0, 0.0, 0]\n\
-         representation = \"surface\"\n[camera]\nroll = 0\n[palette]\ndithering = \"none\"",
+         representation = \"surface\"\n[camera]\nroll = 0",
     );
     scene.unwrap();
 }
@@ -231,7 +254,7 @@ fn defaults_are_vtks() {
     let scene = read(ACTOR).unwrap();
     assert_eq!((scene.display.width, scene.display.height), (320, 240));
     assert_eq!(scene.display.background, Background::Solid([0.0; 3]));
-    assert_eq!(scene.palette.colours, 256);
+    assert_eq!(scene.palette, Palette::default());
     assert_eq!(scene.animation.turntable, None);
     assert_eq!(scene.ambient, [1.0; 3]);
     let [material] = &scene.materials[..] else {
@@ -321,6 +344,22 @@ fn a_colour_is_all_three_unless_said_otherwise() {
     let shiny = &materials[0];
     assert_eq!((shiny.specular, shiny.specular_power), (0.5, 20.0));
     assert_eq!(shiny.shading, Shading::Phong);
+}
+
+#[test]
+fn a_palette_has_ramps_and_dithering() {
+    let text = "[palette]\ncolours = 16\ndithering = \"bayer8\"\nramps = [\n\
+                { from = \"#000000\", to = \"#ff0000\", steps = 12 },\n\
+                { from = \"#0000ff\", to = \"#00ff00\", steps = 4 }]";
+    let palette = read(&format!("{text}\n{ACTOR}")).unwrap().palette;
+    assert_eq!(palette.dithering, Dithering::Bayer8);
+    let ramp = |from, to, steps| Ramp { from, to, steps };
+    let ramps = [
+        ramp([0.0; 3], [1.0, 0.0, 0.0], 12),
+        ramp([0.0, 0.0, 1.0], [0.0, 1.0, 0.0], 4),
+    ];
+    assert_eq!(palette.ramps, ramps);
+    assert_eq!(read(ACTOR).unwrap().palette.dithering, Dithering::Bayer4);
 }
 
 #[test]
