@@ -85,8 +85,8 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
     let materials = scene
         .materials
         .iter()
-        .enumerate()
-        .map(|(i, m)| material(scene, i as u16, m))
+        .zip(&tables.paths)
+        .map(|(m, path)| material(scene, *path, m))
         .collect::<Vec<_>>();
 
     let words = |records: &[u8]| records.to_vec();

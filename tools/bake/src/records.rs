@@ -9,7 +9,7 @@ use glam::DVec3;
 use crate::BakeError;
 use crate::grid::Grid;
 use crate::instance::Instance;
-use crate::palette::ambient_level;
+use crate::palette::{Path, ambient_level};
 use crate::units::{Units, mantissa_exponent, turns, unit_q30};
 
 pub(crate) fn header(scene: &Scene, units: &Units) -> Result<Header, BakeError> {
@@ -118,7 +118,12 @@ pub(crate) fn light(light: &Light) -> Result<core_scene::Light, BakeError> {
     })
 }
 
-pub(crate) fn material(scene: &Scene, shade: u16, material: &Material) -> core_scene::Material {
+pub(crate) fn material(scene: &Scene, path: Path, material: &Material) -> core_scene::Material {
+    // What goes by colour is refused before it gets here.
+    let shade = match path {
+        Path::Level(shade) => shade,
+        Path::Colour => 0,
+    };
     core_scene::Material {
         shading: match material.shading {
             Shading::Flat => core_scene::Shading::Flat,

@@ -1,0 +1,187 @@
+//! Palette and shade tables.
+//!
+//! The colours that a frame can hold are known beforehand. If all materials go by
+//! level, they lie on ramps: each material's colour at every light level that its
+//! coefficients and the scene's lights can give, and the background. The palette's
+//! entries are dealt out among these ramps in proportion to their length in Oklab,
+//! evenly along each. If some material goes by colour, surfaces are sampled under the
+//! scene's lights, and the palette is made by k-means in Oklab.
+//!
+//! In: the description. Out: [`Tables`], for the blob.
+
+mod choose;
+mod light;
+mod nearest;
+mod ramp;
+mod surface;
+#[cfg(test)]
+mod tests;
+mod way;
+
+use fixel_scene::{Background, Light, LightKind, Material, Rgb, Scene};
+
+use choose::{Sample, choose};
+use nearest::{Nearest, lookup};
+use ramp::{Ramp, asked_for, deal};
+use way::Way;
+
+/// Rows of a gradient that get their own palette index.
+const GRADIENT_STEPS: usize = 256;
+/// How much of a picture is background, beside 1 for all surfaces.
+const BACKGROUND_WEIGHT: f64 = 0.25;
+
+/// Everything that turns light into palette indices.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Tables {
+    pub palette: Vec<[u8; 3]>,
+    /// For each material, how it gets from light to an index.
+    pub paths: Vec<Path>,
+    /// Of each material that goes by level, the index of each level.
+    pub shades: Vec<[u8; 256]>,
+    /// The index of each colour of 4 bits a channel, 4096 of them: number
+    /// `r << 8 | g << 4 | b` is that of the colour `(r, g, b) * 17` of 255. Empty if
+    /// no material goes by colour.
+    pub colours: Vec<u8>,
+    /// Indices from the top of the screen to its bottom.
+    pub background: Vec<u8>,
+}
+
+/// A material's way from light to an index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Path {
+    /// By light level, through this one of the shade tables.
+    Level(u16),
+    /// By colour, through the table of colours.
+    Colour,
+}
+
+pub(crate) fn tables(scene: &Scene) -> Tables {
+    let background = background_colours(&scene.display.background);
+    let ways: Vec<Way> = (0..scene.materials.len())
+        .map(|material| Way::of(scene, material))
+        .collect();
+    let palette = palette(scene, &ways, &background);
+    let nearest = Nearest::new(&palette);
+    let row = |material: &Material| {
+        let mut row = [0; 256];
+        for (level, index) in row.iter_mut().enumerate() {
+            *index = nearest.index(shade(material, &scene.ambient, level));
+        }
+        row
+    };
+    let mut shades: Vec<[u8; 256]> = Vec::new();
+    let mut path = |(material, way): (&Material, &Way)| match way {
+        Way::Level => {
+            shades.push(row(material));
+            Path::Level(shades.len() as u16 - 1)
+        }
+        Way::Colour => Path::Colour,
+    };
+    let paths = scene.materials.iter().zip(&ways).map(&mut path).collect();
+    let colours = if ways.contains(&Way::Colour) {
+        lookup(&nearest)
+    } else {
+        Vec::new()
+    };
+    Tables {
+        paths,
+        shades,
+        colours,
+        background: background.iter().map(|c| nearest.index(*c)).collect(),
+        palette,
+    }
+}
+
+/// The palette's entries: a file's, or those asked for and then the best for the
+/// rest.
+fn palette(scene: &Scene, ways: &[Way], background: &[Rgb]) -> Vec<[u8; 3]> {
+    let wanted = &scene.palette;
+    if !wanted.fixed.is_empty() {
+        return wanted.fixed.clone();
+    }
+    let most = wanted.colours.clamp(2, 256) as usize;
+    let mut palette = asked_for(&wanted.ramps);
+    palette.truncate(most);
+    if ways.contains(&Way::Colour) {
+        let mut samples = surface::samples(scene);
+        let weight = BACKGROUND_WEIGHT / background.len() as f64;
+        samples.extend(background.iter().map(|&colour| Sample { colour, weight }));
+        return choose(&samples, &palette, most);
+    }
+    if palette.len() < most {
+        let mut ramps = vec![Ramp::new(background.to_vec())];
+        for material in &scene.materials {
+            let (first, last) = reachable_levels(material, scene);
+            let colour = |level| shade(material, &scene.ambient, level);
+            ramps.push(Ramp::new((first..=last).map(colour).collect()));
+        }
+        let dealt = deal(&ramps, (most - palette.len()).max(2));
+        let new = dealt.into_iter().filter(|c| !palette.contains(c));
+        let new: Vec<_> = new.take(most - palette.len()).collect();
+        palette.extend(new);
+    }
+    palette
+}
+
+fn background_colours(background: &Background) -> Vec<Rgb> {
+    match background {
+        Background::Solid(colour) => vec![*colour],
+        Background::Gradient { top, bottom } => (0..GRADIENT_STEPS)
+            .map(|i| {
+                let part = (i as f64 + 0.5) / GRADIENT_STEPS as f64;
+                [0, 1, 2].map(|c| top[c] + (bottom[c] - top[c]) * part)
+            })
+            .collect(),
+    }
+}
+
+/// The level without any directional light: of emission and grey ambient light.
+pub(crate) fn ambient_level(material: &Material, ambient: &Rgb) -> f64 {
+    let grey = ambient.iter().sum::<f64>() / 3.0;
+    (255.0 * (material.emission + material.ambient * grey)).clamp(0.0, 255.0)
+}
+
+/// The levels that a material can have, first and last, at most 255.
+fn reachable_levels(material: &Material, scene: &Scene) -> (usize, usize) {
+    let first = ambient_level(material, &scene.ambient);
+    let brightest: f64 = scene.lights.iter().map(brightest).sum();
+    let part = material.diffuse + material.specular;
+    let direct = if part > 0.0 { part * brightest } else { 0.0 };
+    let last = (first + 255.0 * direct).clamp(first, 255.0);
+    (first.floor() as usize, last.ceil() as usize)
+}
+
+/// The most that a grey light gives anywhere.
+fn brightest(light: &Light) -> f64 {
+    let full = light.intensity * light.colour[0];
+    match light.kind {
+        LightKind::Directional { .. } => full,
+        LightKind::Point { attenuation, .. } | LightKind::Spot { attenuation, .. } => {
+            // All of it may be seen from just beside it.
+            if full == 0.0 {
+                0.0
+            } else {
+                full / attenuation[0]
+            }
+        }
+    }
+}
+
+/// A material's colour at a level: what ambient light and emission give, which no
+/// surface of the material is without, and the diffuse colour for the rest.
+fn shade(material: &Material, ambient: &Rgb, level: usize) -> Rgb {
+    let direct = (level as f64 - ambient_level(material, ambient)) / 255.0;
+    [0, 1, 2].map(|c| {
+        let without = material.emission * material.diffuse_colour[c]
+            + material.ambient_colour[c] * material.ambient * ambient[c];
+        without + material.diffuse_colour[c] * direct
+    })
+}
+
+fn to_bytes(colour: Rgb) -> [u8; 3] {
+    colour.map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8)
+}
+
+fn to_unit(colour: [u8; 3]) -> Rgb {
+    colour.map(|c| f64::from(c) / 255.0)
+}

@@ -1,0 +1,237 @@
+use fixel_scene::{Ramp as Asked, Shading};
+use glam::DVec3;
+
+use super::light::{Point, lit};
+use super::nearest::COLOURS;
+use super::*;
+use crate::oklab::{distance2, from_rgb};
+
+/// A sphere under a red light from the left and a blue one from the right, with a
+/// white highlight.
+fn scene() -> Scene {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/tiny_128x64.toml");
+    let mut scene = fixel_scene::load(path.as_ref()).unwrap();
+    let mesh = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../scenes/meshes/sphere.obj"
+    );
+    scene.meshes = vec![fixel_scene::load_mesh(mesh.as_ref()).unwrap()];
+    scene.actors.truncate(1);
+    scene.actors[0].mesh = 0;
+    scene.actors[0].material = 0;
+    scene.materials.truncate(1);
+    scene.materials[0] = Material {
+        specular: 0.5,
+        specular_power: 20.0,
+        shading: Shading::Phong,
+        ..Material::default()
+    };
+    scene.lights = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
+        .into_iter()
+        .zip([[1.0, 0.0, -1.0], [-1.0, 0.0, -1.0]])
+        .map(|(colour, direction)| Light {
+            kind: LightKind::Directional { direction },
+            colour,
+            intensity: 1.0,
+        })
+        .collect();
+    scene.display.background = Background::Solid([0.0, 0.25, 0.0]);
+    scene
+}
+
+/// The same in grey.
+fn grey() -> Scene {
+    let mut scene = scene();
+    scene.materials[0].specular = 0.0;
+    for light in &mut scene.lights {
+        light.colour = [0.5; 3];
+    }
+    scene
+}
+
+fn way(change: impl Fn(&mut Scene)) -> Way {
+    let mut scene = grey();
+    change(&mut scene);
+    Way::of(&scene, 0)
+}
+
+#[test]
+fn what_lies_on_one_line_goes_by_level() {
+    let red = [1.0, 0.0, 0.0];
+    assert_eq!(way(|_| ()), Way::Level);
+    assert_eq!(way(|scene| scene.ambient = red), Way::Level);
+    assert_eq!(
+        way(|scene| scene.materials[0].diffuse_colour = red),
+        Way::Level
+    );
+    assert_eq!(way(|scene| scene.lights[1].colour = red), Way::Colour);
+    assert_eq!(
+        way(|scene| {
+            scene.lights[1].colour = red;
+            scene.lights[1].intensity = 0.0;
+        }),
+        Way::Level
+    );
+    assert_eq!(way(|scene| scene.materials[0].specular = 0.1), Way::Level);
+    let shiny = |scene: &mut Scene| {
+        scene.materials[0].specular = 0.1;
+        scene.materials[0].diffuse_colour = red;
+    };
+    assert_eq!(way(shiny), Way::Colour);
+    let paint = |scene: &mut Scene| {
+        scene.meshes[0].colours = vec![red; scene.meshes[0].positions.len()];
+    };
+    assert_eq!(way(paint), Way::Colour);
+    // On another's mesh they do not matter.
+    assert_eq!(
+        way(|scene| {
+            paint(scene);
+            scene.materials.push(Material::default());
+            scene.actors[0].material = 1;
+        }),
+        Way::Level
+    );
+}
+
+#[test]
+fn light_is_as_the_material_says() {
+    let mut scene = scene();
+    let material = Material {
+        ambient_colour: [0.0, 1.0, 0.0],
+        diffuse_colour: [1.0, 0.5, 0.0],
+        specular_colour: [0.0, 0.0, 1.0],
+        ambient: 0.25,
+        diffuse: 0.5,
+        specular: 0.5,
+        specular_power: 2.0,
+        emission: 0.125,
+        ..Material::default()
+    };
+    let point = Point {
+        place: DVec3::ZERO,
+        normal: DVec3::Z,
+        tint: DVec3::new(1.0, 1.0, 0.5),
+    };
+    scene.ambient = [1.0, 0.5, 1.0];
+    let spot = |cone_angle| Light {
+        // 2 away, 60 degrees off the normal; its axis 60 degrees off the way here.
+        kind: LightKind::Spot {
+            position: [3f64.sqrt(), 0.0, 1.0],
+            direction: [0.0, 0.0, -1.0],
+            attenuation: [0.0, 0.25, 0.125],
+            cone_angle,
+            exponent: 2.0,
+        },
+        colour: [1.0, 1.0, 0.5],
+        intensity: 4.0,
+    };
+    let without = DVec3::new(0.125, 0.0625 + 0.125, 0.0);
+    for (cone_angle, beam) in [(59.9, 0.0), (60.1, 0.25)] {
+        scene.lights = vec![spot(cone_angle)];
+        // The mirror image is 60 degrees off the eye: a quarter to the power of 2.
+        let light = DVec3::new(4.0, 4.0, 2.0) * beam;
+        let wanted = light * DVec3::new(0.25, 0.125, 0.5 * 0.25) + without;
+        let found = lit(&scene, &material, &point, DVec3::Z);
+        assert!(found.distance(wanted) < 1e-9, "{found} {wanted}");
+    }
+}
+
+#[test]
+fn samples_are_what_is_seen() {
+    let samples = surface::samples(&scene());
+    assert!((1500..=4200).contains(&samples.len()), "{}", samples.len());
+    let sum: f64 = samples.iter().map(|sample| sample.weight).sum();
+    assert!((sum - 1.0).abs() < 1e-9);
+    let some = |test: fn(Rgb) -> bool| samples.iter().any(|sample| test(sample.colour));
+    assert!(some(|[r, _, b]| r > 0.95 && b < 0.6));
+    assert!(some(|[r, _, b]| b > 0.95 && r < 0.6));
+    assert!(!some(|[_, g, _]| g > 0.0));
+    // From behind, where neither light gets to.
+    let mut behind = scene();
+    let [eye, focus] = [behind.camera.position, behind.camera.focal_point];
+    behind.camera.position = [0, 1, 2].map(|i| 2.0 * focus[i] - eye[i]);
+    let dark = surface::samples(&behind);
+    let unlit = dark
+        .iter()
+        .filter(|sample| sample.colour == [0.0; 3])
+        .count();
+    assert!(unlit * 4 > dark.len(), "{unlit} of {}", dark.len());
+}
+
+#[test]
+fn a_coloured_scene_finds_its_colours_in_the_palette() {
+    let scene = scene();
+    for (most, limit) in [(256, 0.04), (32, 0.09), (8, 0.3)] {
+        let mut scene = scene.clone();
+        scene.palette.colours = most;
+        let tables = tables(&scene);
+        assert!(tables.palette.len() <= most as usize);
+        assert!(tables.palette.len() * 10 >= most as usize * 9);
+        assert_eq!(tables.paths, [Path::Colour]);
+        assert!(tables.shades.is_empty());
+        assert_eq!(tables.colours.len(), COLOURS);
+        // The background has an entry (nearly) of its own.
+        let entry = |index: u8| to_unit(tables.palette[usize::from(index)]);
+        let off = distance2(
+            from_rgb(entry(tables.background[0])),
+            from_rgb([0.0, 0.25, 0.0]),
+        );
+        assert!(off.sqrt() < limit / 2.0, "{most}: {off}");
+        let nearest = Nearest::new(&tables.palette);
+        for sample in surface::samples(&scene) {
+            let entry = entry(nearest.index(sample.colour));
+            let off = distance2(from_rgb(entry), from_rgb(sample.colour)).sqrt();
+            assert!(off < limit, "{most}: {:?} {entry:?} {off}", sample.colour);
+        }
+    }
+}
+
+#[test]
+fn the_table_of_colours_names_the_nearest_entry() {
+    let mut scene = scene();
+    scene.palette.fixed = vec![[0, 0, 0], [255, 255, 255], [255, 0, 0], [0, 0, 200]];
+    let tables = tables(&scene);
+    assert_eq!(tables.palette, scene.palette.fixed);
+    let at = |r: usize, g: usize, b: usize| tables.colours[r << 8 | g << 4 | b];
+    assert_eq!([at(0, 0, 0), at(15, 15, 15), at(15, 0, 0)], [0, 1, 2]);
+    assert_eq!([at(0, 0, 12), at(14, 2, 1), at(13, 14, 15)], [3, 2, 1]);
+    assert_eq!(at(1, 1, 1), 0);
+}
+
+#[test]
+fn asked_for_entries_come_first() {
+    let ramp = Asked {
+        from: [0.0; 3],
+        to: [1.0; 3],
+        steps: 5,
+    };
+    for mut scene in [scene(), grey()] {
+        scene.palette.colours = 20;
+        scene.palette.ramps = vec![ramp];
+        let palette = tables(&scene).palette;
+        assert!((15..=20).contains(&palette.len()), "{}", palette.len());
+        assert_eq!((palette[0], palette[4]), ([0; 3], [255; 3]));
+        // Even steps of lightness, hence of its cube root.
+        for (entry, lightness) in palette[..5].iter().zip([0.0, 0.25, 0.5, 0.75, 1.0]) {
+            let [l, a, b] = from_rgb(to_unit(*entry));
+            assert!((l - lightness).abs() < 0.01 && a.abs() < 0.01 && b.abs() < 0.01);
+        }
+        scene.palette.colours = 5;
+        assert_eq!(tables(&scene).palette, palette[..5]);
+    }
+}
+
+#[test]
+fn a_light_without_bound_takes_all_levels() {
+    let mut scene = grey();
+    let kind = LightKind::Point {
+        position: [0.0; 3],
+        attenuation: [0.0, 1.0, 0.0],
+    };
+    scene.lights[0].kind = kind;
+    assert_eq!(reachable_levels(&scene.materials[0], &scene), (0, 255));
+    scene.materials[0].diffuse = 0.0;
+    scene.materials[0].emission = 0.5;
+    assert_eq!(reachable_levels(&scene.materials[0], &scene), (127, 128));
+    assert_eq!(tables(&scene).paths, [Path::Level(0)]);
+}

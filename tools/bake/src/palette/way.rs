@@ -1,0 +1,42 @@
+//! Which of the two ways to a pixel a material goes.
+
+use fixel_scene::{Light, Material, Scene};
+
+/// From light to a palette index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Way {
+    /// One light level, looked up in a shade table.
+    Level,
+    /// Red, green and blue, looked up in the table of colours.
+    Colour,
+}
+
+impl Way {
+    /// A material goes by level if all colours that it can have lie on one line,
+    /// from what ambient light and emission give, which is the same everywhere, in
+    /// the direction of its diffuse colour:
+    /// - every light but ambient ones is grey, or gives nothing;
+    /// - it has no highlights, or they have its diffuse colour;
+    /// - no actor wears it on a mesh with vertex colours.
+    ///
+    /// All others go by colour.
+    pub(crate) fn of(scene: &Scene, material: usize) -> Self {
+        let surface = &scene.materials[material];
+        let tinted = |actor: &&fixel_scene::Actor| {
+            actor.material == material && !scene.meshes[actor.mesh].colours.is_empty()
+        };
+        let on_a_line = scene.lights.iter().all(is_grey)
+            && has_no_highlight_of_its_own(surface)
+            && !scene.actors.iter().any(|actor| tinted(&actor));
+        if on_a_line { Self::Level } else { Self::Colour }
+    }
+}
+
+fn is_grey(light: &Light) -> bool {
+    let [red, green, blue] = light.colour;
+    light.intensity == 0.0 || (red == green && green == blue)
+}
+
+fn has_no_highlight_of_its_own(material: &Material) -> bool {
+    material.specular == 0.0 || material.specular_colour == material.diffuse_colour
+}
