@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::math::Depth;
+use crate::math::{Depth, Rect};
 
 /// Buffers for a band: a palette index and a depth for each pixel. A band as
 /// high as the screen holds a whole frame; a lower one is used again and again,
@@ -81,21 +81,25 @@ impl<'a> Band<'a> {
             indices: self.indices.get_mut(..pixels).unwrap_or_default(),
             depths: self.depths.get_mut(..pixels).unwrap_or_default(),
             width: self.width,
+            stride: self.width,
             top,
             end,
         }
     }
 }
 
-/// Screen rows being drawn.
+/// Screen rows being drawn: of a band, or of a viewport, which is drawn as if it
+/// were a screen of its own.
 #[derive(Debug)]
 pub struct Target<'a> {
-    /// Palette indices, row by row.
+    /// Palette indices, row by row, each from the screen's left column on.
     pub indices: &'a mut [u8],
-    /// Depths, row by row; 0 where nothing is.
+    /// Depths, as the indices; 0 where nothing is.
     pub depths: &'a mut [Depth],
-    /// Pixels in a row.
+    /// Columns of the screen.
     pub width: u16,
+    /// Pixels from a row to the next, at least the width.
+    pub stride: u16,
     /// First screen row.
     pub top: u16,
     /// One past the last screen row.
@@ -103,15 +107,40 @@ pub struct Target<'a> {
 }
 
 impl Target<'_> {
+    /// The part of these rows within `rect`, as a screen of that size: pixel
+    /// (0, 0) is the rectangle's top left one.
+    pub fn part(&mut self, rect: &Rect) -> Target<'_> {
+        let right = rect.right.min(self.width);
+        let left = rect.left.min(right);
+        let end = self.end.min(rect.bottom);
+        let top = self.top.max(rect.top).min(end);
+        let stride = usize::from(self.stride);
+        let start = usize::from(top.saturating_sub(self.top)) * stride + usize::from(left);
+        let stop = usize::from(end.saturating_sub(self.top)) * stride;
+        Target {
+            indices: self.indices.get_mut(start..stop).unwrap_or_default(),
+            depths: self.depths.get_mut(start..stop).unwrap_or_default(),
+            width: right - left,
+            stride: self.stride,
+            top: top.saturating_sub(rect.top),
+            end: end.saturating_sub(rect.top),
+        }
+    }
+
     /// Empties the rows: depth 0, and in row `y` the index that `background`
     /// gives for it.
     pub fn clear(&mut self, mut background: impl FnMut(u16) -> u8) {
-        self.depths.fill(0);
-        let rows = self
-            .indices
-            .chunks_exact_mut(usize::from(self.width).max(1));
+        let (width, stride) = (usize::from(self.width), usize::from(self.stride).max(1));
+        let rows = self.indices.chunks_mut(stride);
         for (y, row) in (self.top..self.end).zip(rows) {
-            row.fill(background(y));
+            row.get_mut(..width).unwrap_or_default().fill(background(y));
+        }
+        if width == stride {
+            self.depths.fill(0);
+            return;
+        }
+        for row in self.depths.chunks_mut(stride) {
+            row.get_mut(..width).unwrap_or_default().fill(0);
         }
     }
 

@@ -6,6 +6,7 @@ mod angle;
 mod formats;
 mod quotient;
 mod recip;
+mod rect;
 mod rotation;
 mod rsqrt;
 mod transform;
@@ -18,6 +19,7 @@ pub use formats::{
 };
 pub use quotient::Divider;
 pub use recip::{Reciprocal, reciprocal};
+pub use rect::Rect;
 pub use rotation::Rotation;
 pub(crate) use rsqrt::normal_length_recip;
 pub(crate) use transform::view_rotation;

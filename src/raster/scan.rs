@@ -79,7 +79,7 @@ pub(super) fn scan<A: Stepped>(
 ) {
     let [top, middle, bottom] = shape.sorted;
     let (first, end) = shape.rows;
-    let width = i32::from(target.width);
+    let (width, stride) = (i32::from(target.width), i32::from(target.stride));
     let bend = first_centre(middle.y.to_bits()).max(first).min(end);
     let band_top = i32::from(target.top);
     let mut planes = Planes::Unknown;
@@ -113,11 +113,16 @@ pub(super) fn scan<A: Stepped>(
                 }
             }
         }
-        let start = (row - band_top) * width;
+        let start = (row - band_top) * stride;
         match &mut planes {
             Planes::Unknown => {}
             Planes::Stepped(at) => {
-                let rows = Rows { start, row, to };
+                let rows = Rows {
+                    start,
+                    stride,
+                    row,
+                    to,
+                };
                 *at = step(target, rows, &mut sides, *at, &mut draw);
             }
             Planes::Sliver => sliver_rows(target, row..to, &mut sides, &mut sliver),
@@ -130,6 +135,8 @@ pub(super) fn scan<A: Stepped>(
 struct Rows {
     /// Index of the first one's first pixel.
     start: i32,
+    /// From a row's first pixel to the next one's.
+    stride: i32,
     /// Screen rows, half-open.
     row: i32,
     to: i32,
@@ -163,7 +170,7 @@ fn step<A: Stepped>(
             }
         }
         at.advance();
-        start += sides.width;
+        start += rows.stride;
         sides.advance();
     }
     at
@@ -180,7 +187,7 @@ fn sliver_rows(
 ) {
     for row in rows {
         let (left, right) = sides.span();
-        let start = (row - i32::from(target.top)) * sides.width;
+        let start = (row - i32::from(target.top)) * i32::from(target.stride);
         let pixels = (start + left) as usize..(start + right.max(left)) as usize;
         if let (Some(indices), Some(depths)) = (
             target.indices.get_mut(pixels.clone()),

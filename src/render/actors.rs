@@ -1,12 +1,12 @@
-//! Matrices of the actors of a frame, made when first asked for.
+//! Viewports of a frame and matrices of its actors, made when first asked for.
 
-use crate::scene::{Pose, Scene};
+use crate::scene::{PlacedViewport, Pose, Scene};
 use crate::view::{ActorView, ViewFrame};
 
 /// Room for one actor's matrices.
 #[derive(Clone, Copy, Debug)]
 pub struct ActorSlot {
-    /// 1 + the actor's index; 0: none.
+    /// 1 + the actor's index, and the viewport in the upper half; 0: none.
     held: u32,
     view: ActorView,
 }
@@ -18,11 +18,14 @@ impl ActorSlot {
     };
 }
 
-/// The actors of a frame.
+/// The actors of a frame, in the viewport that was asked for last.
 pub(super) struct Actors<'a> {
     scene: &'a Scene<'a>,
     pose: &'a Pose<'a>,
-    frame: &'a ViewFrame,
+    /// Width and height of the frame.
+    size: (u16, u16),
+    viewport: PlacedViewport,
+    view: ViewFrame,
     slots: &'a mut [ActorSlot],
 }
 
@@ -30,31 +33,46 @@ impl<'a> Actors<'a> {
     pub(super) fn new(
         scene: &'a Scene<'a>,
         pose: &'a Pose<'a>,
-        frame: &'a ViewFrame,
+        size: (u16, u16),
         slots: &'a mut [ActorSlot],
     ) -> Self {
         for slot in &mut *slots {
             slot.held = 0;
         }
+        let viewport = scene.place_viewport(0, pose, size.0, size.1);
         Self {
             scene,
             pose,
-            frame,
+            size,
+            viewport,
+            view: ViewFrame::of(&viewport),
             slots,
         }
     }
 
-    /// The matrices of actor `index`; `None` without a slot.
-    pub(super) fn get(&mut self, index: u16) -> Option<&ActorView> {
-        let which = usize::from(index).checked_rem(self.slots.len())?;
-        let slot = self.slots.get_mut(which)?;
-        let number = u32::from(index) + 1;
-        if slot.held != number {
+    /// A viewport of the frame.
+    pub(super) fn viewport(&mut self, number: u16) -> &PlacedViewport {
+        if self.viewport.number != number {
+            let (width, height) = self.size;
+            self.viewport = self.scene.place_viewport(number, self.pose, width, height);
+            self.view = ViewFrame::of(&self.viewport);
+        }
+        &self.viewport
+    }
+
+    /// The matrices of actor `index` in a viewport; `None` without a slot.
+    pub(super) fn get(&mut self, viewport: u16, index: u16) -> Option<&ActorView> {
+        let which = usize::from(viewport) * usize::from(self.scene.actor_count());
+        let which = (which + usize::from(index)).checked_rem(self.slots.len())?;
+        let number = u32::from(viewport) << 16 | u32::from(index);
+        if self.slots.get(which)?.held != number + 1 {
+            self.viewport(viewport);
+            let slot = self.slots.get_mut(which)?;
             let actor = self.scene.actor(index);
             let placement = self.pose.placement(index, &actor);
-            slot.view = ActorView::new(self.frame, self.scene, &actor, &placement);
-            slot.held = number;
+            slot.view = ActorView::new(&self.view, self.scene, &actor, &placement);
+            slot.held = number + 1;
         }
-        Some(&slot.view)
+        Some(&self.slots.get(which)?.view)
     }
 }

@@ -12,7 +12,7 @@ use crate::scene::{Cull, Meshlet, Scene, Shading};
 use crate::vertex::{ScreenVertex, TransformedMeshlet, transform_meshlet, vertex};
 use crate::view::{ActorView, MeshletRows, round_level};
 
-/// Draws the triangles of a listed meshlet.
+/// Draws the triangles of a listed meshlet into its viewport's rows.
 pub(super) fn draw_meshlet<P: Paint>(
     paint: &P,
     scene: &Scene<'_>,
@@ -22,11 +22,11 @@ pub(super) fn draw_meshlet<P: Paint>(
     target: &mut Target<'_>,
     stats: &mut FrameStats,
 ) {
-    let Some(meshlet) = scene.meshlet(entry.meshlet) else {
+    let Some(meshlet) = scene.meshlet(entry.meshlet()) else {
         return;
     };
-    let key = (entry.actor, entry.meshlet);
-    let transformed = cache.get(key, entry.end_row, target.end, |out| {
+    let key = (entry.actor, entry.key);
+    let transformed = cache.get(key, entry.end_row, |out| {
         stats.meshlets_transformed += 1;
         stats.vertices += u32::from(meshlet.vertices);
         transform_meshlet(scene, view, &meshlet, out);

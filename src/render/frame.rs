@@ -6,12 +6,12 @@ use super::meshlet_cache::MeshletCache;
 use super::paint::{Paint, Shaded};
 use super::scratch::Workspace;
 use super::stats::FrameStats;
+use super::viewports::Viewports;
 use super::visible_list;
 use crate::display::Display;
 use crate::frame::Band;
 use crate::palette::Palette;
 use crate::scene::{Pose, Scene};
-use crate::view::ViewFrame;
 
 /// Draws a frame: `pose.height` rows as wide as the band, in as many bands as
 /// that takes, each shown as soon as it is finished.
@@ -43,9 +43,9 @@ pub fn render_frame_with<P: Paint, D: Display>(
     let mut stats = FrameStats::default();
     let (width, height) = (band.width(), pose.height);
 
-    // 1. The camera; the actors' matrices and lights follow when first needed.
-    let frame = ViewFrame::new(&pose.camera, width, height);
-    let mut actors = Actors::new(scene, pose, &frame, work.actors);
+    // 1. Viewports and their cameras; the actors' matrices and lights follow
+    //    when first needed.
+    let mut actors = Actors::new(scene, pose, (width, height), work.actors);
 
     // 2. Meshlets that may be seen, near ones first: once for the whole frame if
     //    the list holds them, else for each band, as often as it takes.
@@ -55,7 +55,6 @@ pub fn render_frame_with<P: Paint, D: Display>(
         scene,
         &mut actors,
         &(0..height),
-        height,
         &mut stats,
     );
     let whole = whole.last.is_none().then_some(whole.entries.len());
@@ -68,7 +67,8 @@ pub fn render_frame_with<P: Paint, D: Display>(
     while top < height {
         let rows = top..top.saturating_add(band.rows()).min(height);
         let mut target = band.target(rows.start, rows.end);
-        target.clear(|y| paint.background(scene.background(y, height)));
+        let mut viewports = Viewports::new(paint, scene, &mut target, height);
+        cache.begin_band(rows.end);
         stats.bands += 1;
 
         let mut after = None;
@@ -83,7 +83,6 @@ pub fn render_frame_with<P: Paint, D: Display>(
                         scene,
                         &mut actors,
                         &rows,
-                        height,
                         &mut stats,
                     );
                     after = list.last;
@@ -94,7 +93,10 @@ pub fn render_frame_with<P: Paint, D: Display>(
                 // 3. Vertices: transform, project, light - or as kept from the
                 //    band before. 4. Triangles: back faces, clipping, setup,
                 //    spans.
-                let Some(view) = actors.get(entry.actor) else {
+                let viewport = entry.viewport();
+                viewports.reach(viewport, &mut actors, &mut target);
+                let rect = actors.viewport(viewport).rect;
+                let Some(view) = actors.get(viewport, entry.actor) else {
                     continue;
                 };
                 draw_meshlet(
@@ -103,7 +105,7 @@ pub fn render_frame_with<P: Paint, D: Display>(
                     view,
                     entry,
                     &mut cache,
-                    &mut target,
+                    &mut target.part(&rect),
                     &mut stats,
                 );
             }
@@ -111,6 +113,8 @@ pub fn render_frame_with<P: Paint, D: Display>(
                 break;
             }
         }
+
+        viewports.reach(scene.viewport_count(), &mut actors, &mut target);
 
         // 5. The finished rows.
         display.show(target.finished())?;

@@ -7,7 +7,7 @@ use crate::vertex::{Rest, ScreenVertex, TransformedMeshlet};
 /// Room for one transformed meshlet.
 #[derive(Clone, Copy, Debug)]
 pub struct Slot {
-    /// Actor and meshlet.
+    /// Actor; meshlet and viewport.
     key: Option<(u16, u32)>,
     /// One past the last row that needs it.
     until: u16,
@@ -35,6 +35,8 @@ impl Slot {
 /// band, are never pushed out by those behind them.
 pub(super) struct MeshletCache<'a> {
     slots: &'a mut [Slot],
+    /// One past the band's last row.
+    band_end: u16,
 }
 
 impl<'a> MeshletCache<'a> {
@@ -42,35 +44,39 @@ impl<'a> MeshletCache<'a> {
         for slot in &mut *slots {
             slot.key = None;
         }
-        Self { slots }
+        Self { slots, band_end: 0 }
+    }
+
+    /// A band begins whose last row is the one before `end`.
+    pub(super) fn begin_band(&mut self, end: u16) {
+        self.band_end = end;
     }
 
     /// The meshlet's vertices, from a slot or through `transform`. `until` is
-    /// one past its last row, `band_end` one past the band's.
+    /// one past its last row.
     pub(super) fn get(
         &mut self,
         key: (u16, u32),
         until: u16,
-        band_end: u16,
         transform: impl FnOnce(&mut TransformedMeshlet),
     ) -> Option<&TransformedMeshlet> {
         let held = self.slots.iter().position(|slot| slot.key == Some(key));
-        let which = held.unwrap_or_else(|| self.choose(until, band_end));
+        let which = held.unwrap_or_else(|| self.choose(until));
         let slot = self.slots.get_mut(which)?;
         if held.is_none() {
             transform(&mut slot.vertices);
             slot.key = Some(key);
             slot.until = until;
         }
-        if slot.until <= band_end {
+        if slot.until <= self.band_end {
             // Not needed again: free for the next one.
             slot.key = None;
         }
         Some(&slot.vertices)
     }
 
-    fn choose(&self, until: u16, band_end: u16) -> usize {
-        if until <= band_end {
+    fn choose(&self, until: u16) -> usize {
+        if until <= self.band_end {
             return 0;
         }
         let mut others = self.slots.iter().enumerate().skip(1);

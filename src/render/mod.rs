@@ -10,6 +10,7 @@ mod meshlet_cache;
 mod paint;
 mod scratch;
 mod stats;
+mod viewports;
 mod visible_list;
 
 pub use frame::{render_frame, render_frame_with};

@@ -10,20 +10,25 @@ use crate::scene::Scene;
 /// A meshlet that may be visible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
-    pub(super) meshlet: u32,
+    /// The meshlet in the low 28 bits (a blob has fewer), the viewport in the
+    /// others.
+    pub(super) key: u32,
     pub(super) actor: u16,
+    /// Rows of the frame.
     pub(super) first_row: u16,
     pub(super) end_row: u16,
     pub(super) nearness: u16,
 }
 
+const VIEWPORT_SHIFT: u32 = 28;
+
 /// The order of drawing: no two meshlets of a frame have the same place in it,
 /// so that the picture does not depend on how many the list holds.
-pub(super) type Place = (u16, u16, u32);
+pub(super) type Place = (u32, u16, u32);
 
 impl Entry {
     pub(super) const EMPTY: Self = Self {
-        meshlet: 0,
+        key: 0,
         actor: 0,
         first_row: 0,
         end_row: 0,
@@ -34,8 +39,19 @@ impl Entry {
         self.first_row < rows.end && self.end_row > rows.start
     }
 
+    pub(super) fn viewport(&self) -> u16 {
+        (self.key >> VIEWPORT_SHIFT) as u16
+    }
+
+    pub(super) fn meshlet(&self) -> u32 {
+        self.key & ((1 << VIEWPORT_SHIFT) - 1)
+    }
+
+    /// By viewport, then near ones first, then by actor and meshlet.
     fn place(&self) -> Place {
-        (u16::MAX - self.nearness, self.actor, self.meshlet)
+        let viewport = u32::from(self.viewport());
+        let nearness = u32::from(u16::MAX - self.nearness);
+        (viewport << 16 | nearness, self.actor, self.key)
     }
 }
 
@@ -54,14 +70,14 @@ pub(super) fn fill<'e>(
     scene: &Scene<'_>,
     actors: &mut Actors<'_>,
     rows: &Range<u16>,
-    height: u16,
     stats: &mut FrameStats,
 ) -> List<'e> {
     let mut count = 0;
     let mut all = true;
-    for actor in 0..scene.actor_count() {
+    for (viewport, actor) in places(scene) {
+        let rect = actors.viewport(viewport).rect;
         let mesh = scene.mesh(scene.actor(actor).mesh);
-        let Some(view) = actors.get(actor) else {
+        let Some(view) = actors.get(viewport, actor) else {
             continue;
         };
         for number in mesh.first_meshlet..mesh.first_meshlet.saturating_add(mesh.meshlets) {
@@ -69,7 +85,7 @@ pub(super) fn fill<'e>(
                 continue;
             };
             stats.meshlets += 1;
-            let visible = match judge(view, &meshlet, height) {
+            let visible = match judge(view, &meshlet, rect.height()) {
                 Verdict::Visible(visible) => visible,
                 Verdict::OutsideView => {
                     stats.meshlets_outside += 1;
@@ -81,10 +97,10 @@ pub(super) fn fill<'e>(
                 }
             };
             let entry = Entry {
-                meshlet: number,
+                key: u32::from(viewport) << VIEWPORT_SHIFT | number,
                 actor,
-                first_row: visible.first_row,
-                end_row: visible.end_row,
+                first_row: rect.top + visible.first_row,
+                end_row: rect.top + visible.end_row,
                 nearness: visible.nearness,
             };
             if !entry.touches(rows) || after.is_some_and(|after| entry.place() <= after) {
@@ -115,6 +131,12 @@ pub(super) fn fill<'e>(
         entries: list,
         last,
     }
+}
+
+/// Every viewport with every actor, in the order of drawing.
+fn places(scene: &Scene<'_>) -> impl Iterator<Item = (u16, u16)> {
+    let actors = scene.actor_count();
+    (0..scene.viewport_count()).flat_map(move |viewport| (0..actors).map(move |a| (viewport, a)))
 }
 
 /// Puts an entry into a full sorted list at its place; the last one falls out.

@@ -1,5 +1,6 @@
 //! Accessors that cannot fail: indices were checked when the scene was parsed.
 
+use super::viewport::Gradient;
 use super::{Actor, ColourFormat, Header, Light, Material, Mesh, Meshlet, Record, Scene, Shading};
 
 impl<'a> Scene<'a> {
@@ -39,9 +40,7 @@ impl<'a> Scene<'a> {
 
     /// Palette index of the background in screen row `y` of `height`.
     pub fn background(&self, y: u16, height: u16) -> u8 {
-        let rows = self.background.len() as u32;
-        let at = (u32::from(y) * rows) / u32::from(height).max(1);
-        self.background.get(at as usize).copied().unwrap_or(0)
+        Gradient(self.background).at(y, height)
     }
 
     /// Palette index by light level, for one material.

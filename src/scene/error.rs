@@ -18,6 +18,8 @@ pub enum Section {
     Triangles,
     FaceNormals,
     Fine,
+    Viewports,
+    ViewportBackgrounds,
 }
 
 impl Section {
@@ -35,6 +37,8 @@ impl Section {
         Self::Triangles,
         Self::FaceNormals,
         Self::Fine,
+        Self::Viewports,
+        Self::ViewportBackgrounds,
     ];
 }
 
@@ -70,6 +74,8 @@ pub enum Field {
     PaletteIndex,
     FaceNormals,
     Fine,
+    Sides,
+    Background,
 }
 
 /// Why a blob was refused. Nothing of a refused blob is used.

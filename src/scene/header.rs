@@ -1,7 +1,7 @@
 //! The first record of a blob.
 
 use super::records::{i, u, w};
-use super::{Record, layout};
+use super::{CameraRecord, Record, layout};
 
 /// The header: all that a scene has once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -132,5 +132,21 @@ impl Record for Header {
             c2,
             0,
         ]
+    }
+}
+
+impl Header {
+    /// The scene's camera.
+    pub fn camera(&self) -> CameraRecord {
+        CameraRecord {
+            position: self.position,
+            focal_point: self.focal_point,
+            view_up: self.view_up,
+            projection: self.projection,
+            half_height: self.half_height,
+            range_exponent: self.range_exponent,
+            near: self.near,
+            far: self.far,
+        }
     }
 }

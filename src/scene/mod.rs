@@ -3,12 +3,15 @@
 //! every later stage; imports only number formats.
 
 mod access;
+mod camera_record;
 mod error;
 mod header;
 mod parse;
 mod pose;
 mod records;
+mod viewport;
 
+pub use camera_record::CameraRecord;
 pub use error::{Field, SceneError, Section};
 pub use header::Header;
 pub use parse::Scene;
@@ -16,6 +19,7 @@ pub use pose::{Camera, Placement, Pose, Projection};
 pub use records::{
     Actor, ColourFormat, Cull, Light, Material, Mesh, Meshlet, Record, Shading, checksum,
 };
+pub use viewport::{FULL_SIDE, Gradient, PlacedViewport, Viewport};
 
 /// Sizes and limits of the blob.
 pub mod layout {
@@ -26,7 +30,7 @@ pub mod layout {
     /// Words of the header, before the section table.
     pub const HEADER_WORDS: usize = 24;
     /// Sections; each has two words in the table: byte offset and count.
-    pub const SECTIONS: usize = 12;
+    pub const SECTIONS: usize = 14;
     /// Bytes before the first section.
     pub const PREFIX_BYTES: usize = 4 * (HEADER_WORDS + 2 * SECTIONS);
     /// Where the checksum starts: after magic, version, length, checksum.
@@ -37,6 +41,8 @@ pub mod layout {
     pub const MESHLET_TRIANGLES: usize = 128;
     /// Lights with a direction.
     pub const LIGHTS: usize = 8;
+    /// Viewports.
+    pub const VIEWPORTS: usize = 8;
     /// Half of a mesh's grid: vertices are within this many steps of its
     /// centre along each axis.
     pub const GRID_HALF: i32 = 1 << 21;

@@ -6,7 +6,7 @@ use bytemuck::{AnyBitPattern, try_cast_slice};
 use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
 use super::{
     Actor, ColourFormat, Field, Header, Light, Material, Mesh, Meshlet, Record, SceneError,
-    Section, checksum,
+    Section, Viewport, checksum,
 };
 
 /// A checked scene, read in place from flash.
@@ -25,6 +25,8 @@ pub struct Scene<'a> {
     pub(crate) triangles: &'a [[u8; 3]],
     pub(crate) face_normals: &'a [u32],
     pub(crate) fine: &'a [[u8; 4]],
+    pub(crate) viewports: &'a [<Viewport as Record>::Words],
+    pub(crate) viewport_backgrounds: &'a [u8],
 }
 
 impl<'a> Scene<'a> {
@@ -81,10 +83,13 @@ impl<'a> Scene<'a> {
             triangles: section(bytes, &mut table)?,
             face_normals: section(bytes, &mut table)?,
             fine: section(bytes, &mut table)?,
+            viewports: section(bytes, &mut table)?,
+            viewport_backgrounds: section(bytes, &mut table)?,
         };
         scene.check_colours()?;
         scene.check_actors()?;
         scene.check_meshes()?;
+        scene.check_viewports()?;
         Ok(scene)
     }
 
@@ -232,6 +237,40 @@ impl<'a> Scene<'a> {
         Ok(())
     }
 
+    fn check_viewports(&self) -> Result<(), SceneError> {
+        let s = Section::Viewports;
+        count(s, self.viewports.len(), 0, layout::VIEWPORTS)?;
+        let own = self.viewport_backgrounds;
+        let colours = self.palette.len() as i64 - 1;
+        for (i, index) in own.iter().enumerate() {
+            let index = i64::from(*index);
+            let s = Section::ViewportBackgrounds;
+            range(s, i, Field::PaletteIndex, index, 0, colours)?;
+        }
+        for (i, words) in self.viewports.iter().enumerate() {
+            let viewport = Viewport::from_words(words);
+            let [left, top, right, bottom] = viewport.sides.map(i64::from);
+            let full = super::FULL_SIDE.into();
+            for (low, high) in [(left, right), (top, bottom)] {
+                range(s, i, Field::Sides, low, 0, high)?;
+                range(s, i, Field::Sides, high, 0, full)?;
+            }
+            let (first, count) = viewport.background;
+            let last = own.len() as i64 - i64::from(count);
+            range(s, i, Field::Background, first.into(), 0, last)?;
+            let bad = viewport.camera.and_then(|camera| camera.out_of_range());
+            if let Some((field, value)) = bad {
+                return Err(SceneError::Record {
+                    section: s,
+                    index: i,
+                    field,
+                    value,
+                });
+            }
+        }
+        Ok(())
+    }
+
     fn check_meshlet(&self, i: usize, meshlet: &Meshlet, mesh: &Mesh) -> Result<(), SceneError> {
         let s = Section::Meshlets;
         let (vertices, triangles) = (i64::from(meshlet.vertices), i64::from(meshlet.triangles));
@@ -351,28 +390,10 @@ fn check_header(header: &Header) -> Result<(), SceneError> {
         0,
         formats - 1,
     )?;
-    check(Field::Projection, header.projection.into(), 0, 1)?;
-    let most = if header.projection == 0 {
-        u32::MAX
-    } else {
-        i32::MAX as u32
-    };
-    check(Field::ViewAngle, header.half_height.into(), 1, most.into())?;
-    let least = if header.projection == 0 {
-        1
-    } else {
-        i64::from(i32::MIN)
-    };
-    check(
-        Field::ClippingRange,
-        header.near.into(),
-        least,
-        i64::from(header.far) - 1,
-    )?;
-    check(Field::ClippingRange, header.range_exponent.into(), 0, 11)?;
-    let (eye, focus) = (header.position, header.focal_point);
-    check(Field::Camera, i64::from(eye != focus), 1, 1)?;
-    check(Field::Camera, i64::from(header.view_up != [0; 3]), 1, 1)
+    match header.camera().out_of_range() {
+        Some((field, value)) => Err(SceneError::Header { field, value }),
+        None => Ok(()),
+    }
 }
 
 fn count(section: Section, count: usize, least: usize, most: usize) -> Result<(), SceneError> {

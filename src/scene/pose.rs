@@ -55,7 +55,7 @@ pub struct Placement {
 /// application changes what it wants.
 #[derive(Clone, Copy, Debug)]
 pub struct Pose<'a> {
-    /// The eye.
+    /// The eye, of every viewport that has none of its own.
     pub camera: Camera,
     /// Screen rows; the width is the band's.
     pub height: u16,
@@ -63,6 +63,9 @@ pub struct Pose<'a> {
     pub turn: Angle,
     /// Actors that are elsewhere than the scene file says: index and place.
     pub moved: &'a [(u16, Placement)],
+    /// Viewports whose camera is another than the scene file says: number and
+    /// camera.
+    pub cameras: &'a [(u16, Camera)],
 }
 
 impl Pose<'_> {
@@ -87,26 +90,11 @@ impl Scene<'_> {
     pub fn pose(&self, number: u32) -> Pose<'static> {
         let header = &self.header;
         Pose {
-            camera: Camera {
-                position: Vec3::from_bits(header.position),
-                focal_point: Vec3::from_bits(header.focal_point),
-                view_up: Vec3::from_bits(header.view_up),
-                projection: if header.projection == 0 {
-                    Projection::Perspective {
-                        tan_half_angle: U8F24::from_bits(header.half_height),
-                    }
-                } else {
-                    Projection::Parallel {
-                        half_height: World::from_bits(header.half_height as i32),
-                    }
-                },
-                near: World::from_bits(header.near),
-                far: World::from_bits(header.far),
-                range_exponent: header.range_exponent,
-            },
+            camera: header.camera().camera(),
             height: header.height,
             turn: Angle::fraction(number, header.turntable),
             moved: &[],
+            cameras: &[],
         }
     }
 }

@@ -17,7 +17,7 @@ pub enum EyeInGrid {
 ///
 /// A clip coordinate is `(row . q + constant) >> row_fraction`, for rows x, y (down) and
 /// distance. All three are in one unit, chosen for the actor so that none
-/// exceeds `2^limit`; x and y are also scaled by the lens's mantissa. So the
+/// exceeds `2^limit`; x and y are also scaled by the lens's mantissas. So the
 /// screen position is `x / distance * 2^lens.exponent` sub-pixels from the
 /// middle (perspective) or `x >> parallel_shift` (parallel).
 #[derive(Clone, Copy, Debug)]
@@ -76,7 +76,7 @@ impl ActorView {
         near: 0,
         far: 0,
         lens: Lens {
-            mantissa: 0,
+            mantissas: [0; 2],
             exponent: 0,
         },
         perspective: false,
@@ -130,7 +130,7 @@ impl ActorView {
         let down = reach_bits - limit; // Q30 world units >> down = clip units
         let scale = 30 - down;
 
-        let kappa = i64::from(frame.lens.mantissa);
+        let [kappa_x, kappa_y] = frame.lens.mantissas.map(i64::from);
         let mantissa = i64::from(actor.step_mantissa);
         let row_fraction = if mesh.fine.is_some() {
             FINE_ROW_FRACTION
@@ -141,18 +141,18 @@ impl ActorView {
         let [x, y, z] = to_view
             .rows
             .map(|row| row.map(|c| (i64::from(c) * mantissa) >> 31));
-        let lens = |v: i64| (v * kappa + (1 << 30)) >> 31;
+        let lens = |kappa: i64, v: i64| (v * kappa + (1 << 30)) >> 31;
         let fit = |v: i64| shift_round(v, row_shift) as i32;
         let rows = [
-            x.map(|c| fit(lens(c))),
-            y.map(|c| fit(-lens(c))),
+            x.map(|c| fit(lens(kappa_x, c))),
+            y.map(|c| fit(-lens(kappa_y, c))),
             z.map(|c| fit(-c)),
         ];
         let [tx, ty, td] = centre;
         let constant = |v: i64| shift_round(v, row_fraction as i32 - down);
         let constants = [
-            constant(scale_q31(kappa, tx)),
-            constant(scale_q31(kappa, ty)),
+            constant(scale_q31(kappa_x, tx)),
+            constant(scale_q31(kappa_y, ty)),
             constant(td),
         ];
 

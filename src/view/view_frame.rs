@@ -1,15 +1,15 @@
 //! The camera, ready for use.
 
 use crate::math::{Rotation, SUBPX_BITS, Vec3, World, view_rotation};
-use crate::scene::{Camera, Projection};
+use crate::scene::{Camera, PlacedViewport, Projection};
 
 /// Screen distance per view-space ratio (perspective: x / w; parallel: x in
-/// world units): `mantissa / 2^31 * 2^exponent` in raw sub-pixels, mantissa in
-/// 2^30..2^31. Pixels are square, so that it holds for x and y.
+/// world units): `mantissa / 2^31 * 2^exponent` in raw sub-pixels, the larger
+/// mantissa in 2^29..2^31. With square pixels it is the same for x and y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lens {
     /// Folded into the clip rows of x and y.
-    pub mantissa: i32,
+    pub mantissas: [i32; 2],
     /// Applied when a clip coordinate becomes a screen position.
     pub exponent: i32,
 }
@@ -41,6 +41,17 @@ impl ViewFrame {
     /// 2048 each). A camera whose line of sight has no direction looks along
     /// -z; an up vector along the line of sight is replaced.
     pub fn new(camera: &Camera, width: u16, height: u16) -> Self {
+        Self::magnified(camera, width, height, [1, 1])
+    }
+
+    /// The view into a viewport, as if it were a screen of its own.
+    pub fn of(viewport: &PlacedViewport) -> Self {
+        let rect = &viewport.rect;
+        let (width, height) = (rect.width(), rect.height());
+        Self::magnified(&viewport.camera, width, height, viewport.magnified)
+    }
+
+    fn magnified(camera: &Camera, width: u16, height: u16, magnified: [u32; 2]) -> Self {
         let up_instead = Vec3::from_ints(0, 0, 1);
         let rotation = view_rotation(camera.position, camera.focal_point, camera.view_up)
             .or_else(|| view_rotation(camera.position, camera.focal_point, up_instead))
@@ -52,12 +63,13 @@ impl ViewFrame {
         let half_height = u64::from(height.clamp(1, 2048)) << (SUBPX_BITS - 1);
         let (perspective, lens) = match camera.projection {
             // 24 and 16 are the fractional bits of the divisors.
-            Projection::Perspective { tan_half_angle } => {
-                (true, Lens::new(half_height, tan_half_angle.to_bits(), 24))
-            }
+            Projection::Perspective { tan_half_angle } => (
+                true,
+                Lens::new(half_height, tan_half_angle.to_bits(), 24, magnified),
+            ),
             Projection::Parallel { half_height: scale } => (
                 false,
-                Lens::new(half_height, scale.to_bits().max(1) as u32, 16),
+                Lens::new(half_height, scale.to_bits().max(1) as u32, 16, magnified),
             ),
         };
         let raw = |distance: World| i64::from(distance.to_bits()) << camera.range_exponent.min(11);
@@ -82,8 +94,9 @@ impl ViewFrame {
 }
 
 impl Lens {
-    /// `half_height / (divisor / 2^fraction)`; `half_height` below 2^23.
-    fn new(half_height: u64, divisor: u32, fraction: i32) -> Self {
+    /// `half_height / (divisor / 2^fraction)`; `half_height` at most 2^23. Across
+    /// it is larger by the ratio `magnified`, of numbers below 2^23.
+    fn new(half_height: u64, divisor: u32, fraction: i32, magnified: [u32; 2]) -> Self {
         let quotient = (half_height << 41) / u64::from(divisor.max(1));
         let bits = 64 - quotient.leading_zeros() as i32;
         let mantissa = if bits > 31 {
@@ -91,9 +104,13 @@ impl Lens {
         } else {
             quotient << (31 - bits)
         };
+        let [across, down] = magnified.map(|m| u64::from(m.max(1)));
+        let mantissa_x = (mantissa * across).checked_div(down).unwrap_or(0);
+        // If it is wider than high, both lose a bit for each doubling.
+        let over = (64 - mantissa_x.leading_zeros() as i32 - 31).max(0);
         Self {
-            mantissa: mantissa as i32,
-            exponent: bits - (41 - fraction),
+            mantissas: [mantissa_x >> over, mantissa >> over].map(|m| m as i32),
+            exponent: bits - (41 - fraction) + over,
         }
     }
 }

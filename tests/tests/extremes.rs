@@ -31,7 +31,8 @@ fn baked(file: &str) -> Baked {
 }
 
 static SMALL: LazyLock<Baked> = LazyLock::new(|| baked("tests/data/small.toml"));
-static LARGE: LazyLock<Baked> = LazyLock::new(|| baked("scenes/parallel.toml"));
+static LARGE: LazyLock<[Baked; 2]> =
+    LazyLock::new(|| ["scenes/parallel.toml", "scenes/viewports.toml"].map(baked));
 
 /// The blob with some words replaced and the checksum made good.
 fn changed(baked: &Baked, changes: &[(usize, u32)]) -> Vec<u8> {
@@ -101,11 +102,13 @@ proptest! {
     #[test]
     fn several_extreme_words_at_once(
         changes in prop::collection::vec((any::<prop::sample::Index>(), word()), 1..6),
-        large_scene in prop::bool::weighted(0.1),
+        which in prop_oneof![9 => Just(None), 1 => (0..2usize).prop_map(Some)],
     ) {
-        let baked: &Baked = if large_scene { &LARGE } else { &SMALL };
+        let baked: &Baked = which.map_or(&SMALL, |which| &LARGE[which]);
         let lights = section(baked, 3);
-        let places: Vec<usize> = CAMERA.chain(lights..section(baked, 8)).collect();
+        let viewports = section(baked, 12)..section(baked, 13);
+        let places: Vec<usize> =
+            CAMERA.chain(lights..section(baked, 8)).chain(viewports).collect();
         let changes: Vec<(usize, u32)> =
             changes.iter().map(|(at, value)| (places[at.index(places.len())], *value)).collect();
         drawn(&changed(baked, &changes));

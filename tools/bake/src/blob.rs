@@ -11,6 +11,7 @@ use crate::not_yet;
 use crate::palette::tables;
 use crate::records::{actors, header, light, material};
 use crate::units::Units;
+use crate::viewport::viewports;
 
 /// A baked scene.
 #[derive(Clone, Debug)]
@@ -110,6 +111,8 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
             parts.face_normals.len(),
         ),
         (words(parts.fine.as_flattened()), parts.fine.len()),
+        records(&viewports(scene, &units, &tables.viewport_backgrounds)?),
+        flat_bytes(&tables.viewport_backgrounds),
     ];
     let words = assemble(header(scene, &units)?, &sections)?;
     Ok(Baked {
@@ -163,6 +166,13 @@ where
 {
     let words: Vec<R::Words> = records.iter().map(Record::to_words).collect();
     (bytemuck::cast_slice(&words).to_vec(), records.len())
+}
+
+/// Bytes of all lists, one after the other.
+fn flat_bytes(lists: &[Vec<u8>]) -> (Vec<u8>, usize) {
+    let bytes = lists.concat();
+    let count = bytes.len();
+    (bytes, count)
 }
 
 fn little_endian(vertices: &[[i16; 4]]) -> Vec<u8> {

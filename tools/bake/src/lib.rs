@@ -18,6 +18,7 @@ mod records;
 mod snap;
 mod unbake;
 mod units;
+mod viewport;
 
 pub use blob::{Baked, bake};
 pub use error::BakeError;

@@ -2,8 +2,10 @@
 //! blob's records.
 
 use fixel::scene::layout::STEP_EXPONENTS;
-use fixel::scene::{self as core_scene, Header};
-use fixel_scene::{ColourFormat, Cull, Light, LightKind, Material, Projection, Scene, Shading};
+use fixel::scene::{self as core_scene, CameraRecord, Header};
+use fixel_scene::{
+    Camera, ColourFormat, Cull, Light, LightKind, Material, Projection, Scene, Shading,
+};
 use glam::DVec3;
 
 use crate::BakeError;
@@ -13,7 +15,38 @@ use crate::palette::{Path, ambient_level};
 use crate::units::{Units, mantissa_exponent, turns, unit_q30};
 
 pub(crate) fn header(scene: &Scene, units: &Units) -> Result<Header, BakeError> {
-    let camera = &scene.camera;
+    let camera = camera(&scene.camera, units)?;
+    Ok(Header {
+        length: 0,
+        checksum: 0,
+        width: scene.display.width as u16,
+        height: scene.display.height as u16,
+        colour_format: match scene.display.colour {
+            ColourFormat::Rgb888 => 0,
+            ColourFormat::Rgb565 => 1,
+            ColourFormat::Rgb444 => 2,
+            ColourFormat::Gray8 => 3,
+            ColourFormat::Gray4 => 4,
+            ColourFormat::Gray2 => 5,
+            ColourFormat::Mono => 6,
+        },
+        world_exponent: units.exponent as i8,
+        world_centre: units.centre,
+        centre_exponent: units.centre_exponent as i8,
+        turntable: scene.animation.turntable.unwrap_or(0),
+        position: camera.position,
+        focal_point: camera.focal_point,
+        view_up: camera.view_up,
+        projection: camera.projection,
+        half_height: camera.half_height,
+        range_exponent: camera.range_exponent,
+        near: camera.near,
+        far: camera.far,
+    })
+}
+
+/// A camera's record.
+pub(crate) fn camera(camera: &Camera, units: &Units) -> Result<CameraRecord, BakeError> {
     let (mut focus, eye) = (
         DVec3::from(camera.focal_point),
         DVec3::from(camera.position),
@@ -40,25 +73,8 @@ pub(crate) fn header(scene: &Scene, units: &Units) -> Result<Header, BakeError> 
             (1, half.max(1) as u32)
         }
     };
-    let (near, far, range_exponent) = range(scene, units, projection)?;
-    Ok(Header {
-        length: 0,
-        checksum: 0,
-        width: scene.display.width as u16,
-        height: scene.display.height as u16,
-        colour_format: match scene.display.colour {
-            ColourFormat::Rgb888 => 0,
-            ColourFormat::Rgb565 => 1,
-            ColourFormat::Rgb444 => 2,
-            ColourFormat::Gray8 => 3,
-            ColourFormat::Gray4 => 4,
-            ColourFormat::Gray2 => 5,
-            ColourFormat::Mono => 6,
-        },
-        world_exponent: units.exponent as i8,
-        world_centre: units.centre,
-        centre_exponent: units.centre_exponent as i8,
-        turntable: scene.animation.turntable.unwrap_or(0),
+    let (near, far, range_exponent) = range(camera, units, projection)?;
+    Ok(CameraRecord {
         position: units.place("camera.position", eye)?,
         focal_point: units.place("camera.focal_point", focus)?,
         // Only its direction counts.
@@ -72,9 +88,9 @@ pub(crate) fn header(scene: &Scene, units: &Units) -> Result<Header, BakeError> 
 }
 
 /// Near, far and the power of two that they are in.
-fn range(scene: &Scene, units: &Units, projection: u8) -> Result<(i32, i32, u8), BakeError> {
+fn range(camera: &Camera, units: &Units, projection: u8) -> Result<(i32, i32, u8), BakeError> {
     let what = "camera.clipping_range";
-    let [near, far] = scene.camera.clipping_range;
+    let [near, far] = camera.clipping_range;
     if projection == 0 {
         // What is farther than a world length holds is farther than all there is.
         let near = units.length(what, near)?.max(1);

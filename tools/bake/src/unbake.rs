@@ -7,8 +7,8 @@
 use fixel::Scene as Blob;
 use fixel::scene as core_scene;
 use fixel_scene::{
-    Actor, Animation, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Look,
-    Material, Mesh, Palette, Projection, Rgb, Scene, Shading,
+    Actor, Animation, Aspect, Background, Camera, ColourFormat, Cull, Display, Light, LightKind,
+    Look, Material, Mesh, Palette, Projection, Rgb, Scene, Shading, Viewport,
 };
 use glam::DVec3;
 
@@ -23,32 +23,24 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
     let centre = DVec3::from(header.world_centre.map(f64::from))
         * f64::exp2(f64::from(header.centre_exponent));
     let point = |bits: [i32; 3]| (centre + vector(bits)).to_array();
-    let camera = Camera {
-        position: point(header.position),
-        focal_point: point(header.focal_point),
-        view_up: header.view_up.map(|c| f64::from(c) / f64::exp2(30.0)),
-        projection: if header.projection == 0 {
-            let tangent = f64::from(header.half_height) / f64::exp2(24.0);
-            Projection::Perspective {
-                view_angle: 2.0 * tangent.atan().to_degrees(),
-            }
-        } else {
-            Projection::Parallel {
-                parallel_scale: length(header.half_height as i32),
-            }
-        },
-        clipping_range: [header.near, header.far]
-            .map(|d| length(d) * f64::exp2(header.range_exponent.into())),
-    };
-    let colours = |index: u8| blob.palette()[usize::from(index)].map(|c| f64::from(c) / 255.0);
+    let camera = camera(&header.camera(), scene_unit, centre);
+    let colours = |index: u8| colour(blob, index);
+    let rows = blob.height();
+    let ends = [0, rows.saturating_sub(1)].map(|y| colours(blob.background(y, rows)));
+    // One that says nothing is one that the blob does not have.
+    let said = |number: &u16| blob.viewport(*number) != core_scene::Viewport::WHOLE;
+    let viewports = (0..blob.viewport_count()).filter(said);
     Scene {
         display: Display {
             width: header.width.into(),
             height: header.height.into(),
             colour: colour_format(blob.colour_format()),
-            background: background(blob, colours),
+            background: background(ends),
         },
         camera,
+        viewports: viewports
+            .map(|number| viewport(blob, number, scene_unit, centre))
+            .collect(),
         ambient: [1.0; 3],
         lights: blob.lights().map(|l| light(&l)).collect(),
         materials: (0..blob.material_count())
@@ -96,6 +88,53 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
     }
 }
 
+fn camera(record: &core_scene::CameraRecord, scene_unit: f64, centre: DVec3) -> Camera {
+    let length = |bits: i32| f64::from(bits) * scene_unit / 65536.0;
+    let point = |bits: [i32; 3]| (centre + DVec3::from(bits.map(length))).to_array();
+    Camera {
+        position: point(record.position),
+        focal_point: point(record.focal_point),
+        view_up: record.view_up.map(|c| f64::from(c) / f64::exp2(30.0)),
+        projection: if record.projection == 0 {
+            let tangent = f64::from(record.half_height) / f64::exp2(24.0);
+            Projection::Perspective {
+                view_angle: 2.0 * tangent.atan().to_degrees(),
+            }
+        } else {
+            Projection::Parallel {
+                parallel_scale: length(record.half_height as i32),
+            }
+        },
+        clipping_range: [record.near, record.far]
+            .map(|d| length(d) * f64::exp2(record.range_exponent.into())),
+    }
+}
+
+fn viewport(blob: &Blob<'_>, number: u16, scene_unit: f64, centre: DVec3) -> Viewport {
+    let record = blob.viewport(number);
+    let [left, top, right, bottom] = record
+        .sides
+        .map(|side| f64::from(side) / f64::from(core_scene::FULL_SIDE));
+    let rows = blob.height();
+    let gradient = blob.viewport_background(number);
+    let ends = [0, rows.saturating_sub(1)].map(|y| colour(blob, gradient.at(y, rows)));
+    Viewport {
+        rectangle: [left, 1.0 - bottom, right - left, bottom - top],
+        camera: record.camera.map(|c| camera(&c, scene_unit, centre)),
+        background: (record.background.1 != 0).then(|| background(ends)),
+        aspect: if record.stretch {
+            Aspect::Stretch
+        } else {
+            Aspect::Keep
+        },
+    }
+}
+
+fn colour(blob: &Blob<'_>, index: u8) -> Rgb {
+    let colour = blob.palette().get(usize::from(index)).copied();
+    colour.unwrap_or_default().map(|c| f64::from(c) / 255.0)
+}
+
 fn colour_format(format: core_scene::ColourFormat) -> ColourFormat {
     match format {
         core_scene::ColourFormat::Rgb888 => ColourFormat::Rgb888,
@@ -108,9 +147,7 @@ fn colour_format(format: core_scene::ColourFormat) -> ColourFormat {
     }
 }
 
-fn background(blob: &Blob<'_>, colour: impl Fn(u8) -> Rgb) -> Background {
-    let rows = blob.height();
-    let [top, bottom] = [0, rows.saturating_sub(1)].map(|y| colour(blob.background(y, rows)));
+fn background([top, bottom]: [Rgb; 2]) -> Background {
     if top == bottom {
         Background::Solid(top)
     } else {

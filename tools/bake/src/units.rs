@@ -1,6 +1,6 @@
 //! Scene units to world units, and numbers to the blob's formats.
 
-use fixel_scene::{Actor, Mesh, Projection, Scene};
+use fixel_scene::{Actor, Camera, Mesh, Projection, Scene};
 use glam::DVec3;
 
 use crate::BakeError;
@@ -24,13 +24,14 @@ pub(crate) struct Units {
 
 impl Units {
     pub(crate) fn new(scene: &Scene) -> Self {
-        let camera = &scene.camera;
+        let own = scene.viewports.iter().filter_map(|v| v.camera.as_ref());
+        let cameras: Vec<&Camera> = own.chain([&scene.camera]).collect();
         let spheres = scene
             .actors
             .iter()
             .map(|a| actor_sphere(a, &scene.meshes[a.mesh]));
         let spheres: Vec<(DVec3, f64)> = spheres
-            .chain([(DVec3::from(camera.position), 0.0)])
+            .chain(cameras.iter().map(|c| (DVec3::from(c.position), 0.0)))
             .collect();
         let low = spheres
             .iter()
@@ -63,9 +64,11 @@ impl Units {
             .iter()
             .map(|(c, r)| (*c - origin).length() + r)
             .fold(0.0, f64::max);
-        match camera.projection {
-            Projection::Perspective { .. } => reach = reach.max(camera.clipping_range[0]),
-            Projection::Parallel { parallel_scale } => reach = reach.max(parallel_scale),
+        for camera in cameras {
+            match camera.projection {
+                Projection::Perspective { .. } => reach = reach.max(camera.clipping_range[0]),
+                Projection::Parallel { parallel_scale } => reach = reach.max(parallel_scale),
+            }
         }
         let exponent = if reach > 0.0 {
             (REACH / reach).log2().floor()

@@ -49,11 +49,29 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
                 .map(|m| Path::Level(Box::new(*scene.shade(&scene.material(m)))))
                 .collect(),
             colours: Vec::new(),
-            background: (0..options.height)
-                .map(|y| scene.background(y, options.height))
-                .collect(),
+            background: backgrounds(scene, options),
             palette,
         },
     };
     (frame, drawn)
+}
+
+/// The background's palette index at each pixel, viewports on top of each other.
+fn backgrounds(scene: &Scene<'_>, options: &Options) -> Vec<u8> {
+    let (width, height) = (options.width, options.height);
+    let mut all = Vec::new();
+    for y in 0..height {
+        all.resize(all.len() + usize::from(width), scene.background(y, height));
+    }
+    let pose = scene.pose(options.frame);
+    for number in 0..scene.viewport_count() {
+        let rect = scene.place_viewport(number, &pose, width, height).rect;
+        let background = scene.viewport_background(number);
+        for y in rect.top..rect.bottom {
+            let row = usize::from(y) * usize::from(width);
+            let index = background.at(y - rect.top, rect.height());
+            all[row + usize::from(rect.left)..row + usize::from(rect.right)].fill(index);
+        }
+    }
+    all
 }

@@ -59,7 +59,7 @@ pub struct Lookup {
     /// colour. A colour is rounded to the nearest of 0, 1/15, .. 1 in each
     /// channel; what a renderer dithers is held against the undithered.
     pub colours: Vec<u8>,
-    /// For each row of the picture, the palette index of the background.
+    /// For each pixel of the picture, the palette index of the background.
     pub background: Vec<u8>,
 }
 
@@ -171,7 +171,7 @@ impl Frame {
             ("light", self.light.len(), pixels),
             ("index", self.index.len(), pixels),
             ("rgb", self.rgb.len(), pixels),
-            ("background", lookup.background.len(), self.height as usize),
+            ("background", lookup.background.len(), pixels),
             ("paths", lookup.paths.len().min(materials), materials),
             ("colours", lookup.colours.len(), lookup.colours_needed()),
         ];
@@ -204,10 +204,9 @@ impl Frame {
 impl Lookup {
     /// The palette index of every pixel of the truth, without dithering.
     pub(crate) fn indices(&self, truth: &Truth) -> Vec<u8> {
-        let width = truth.width as usize;
         let index = |(i, pixel): (usize, &Option<Hit>)| match pixel {
             Some(hit) => self.index(hit),
-            None => self.background[i / width],
+            None => self.background[i],
         };
         truth.pixels.iter().enumerate().map(index).collect()
     }

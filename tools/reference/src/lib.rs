@@ -23,6 +23,7 @@ mod render;
 mod report;
 mod truth;
 mod view;
+mod window;
 
 pub use compare::compare;
 pub use frame::{COLOURS, Frame, FrameError, Lookup, NO_TRIANGLE, Path};

@@ -5,7 +5,8 @@ use crate::geometry::{Face, Geometry};
 use crate::ray::{Meeting, Ray};
 use crate::truth::{Hit, Truth};
 use crate::view::View;
-use fixel_scene::{Background, Rgb, Scene};
+use crate::window::{Window, row_colour};
+use fixel_scene::Scene;
 use rayon::prelude::*;
 
 /// How to render.
@@ -37,24 +38,33 @@ pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sy
         height,
         frame,
     } = options;
-    let view = View::new(&scene.camera, width, height);
-    let geometry = Geometry::new(scene, &view, frame);
-    let bvh = Bvh::new(&geometry.faces);
-    let mut pixels = vec![None; width as usize * height as usize];
+    let windows = Window::all(scene, width, height, frame);
+    let trees: Vec<Bvh> = windows
+        .iter()
+        .map(|w| Bvh::new(&w.geometry.faces))
+        .collect();
+    let pixels_in_all = width as usize * height as usize;
+    let mut pixels = vec![None; pixels_in_all];
+    let mut background = vec![[0.0; 3]; pixels_in_all];
     pixels
         .par_chunks_mut(width as usize)
+        .zip(background.par_chunks_mut(width as usize))
         .enumerate()
-        .for_each(|(y, row)| {
-            for (x, pixel) in row.iter_mut().enumerate() {
-                let ray = view.ray(x as u32, y as u32);
-                *pixel = nearest(&geometry.faces, &bvh, &view, &ray)
-                    .map(|seen| seen.hit(&geometry, &view, scene));
+        .for_each(|(y, (row, background))| {
+            let y = y as u32;
+            background.fill(row_colour(&scene.display.background, y, height));
+            for (window, bvh) in windows.iter().zip(&trees) {
+                let places = (0..width).filter_map(|x| Some((x, window.place(x, y)?)));
+                for (x, [column, y]) in places {
+                    let (geometry, view) = (&window.geometry, &window.view);
+                    let ray = view.ray(column, y);
+                    background[x as usize] = window.background(y);
+                    row[x as usize] = nearest(&geometry.faces, bvh, view, &ray)
+                        .map(|seen| seen.hit(geometry, view, scene));
+                }
             }
             row_done();
         });
-    let background = (0..height)
-        .map(|y| row_colour(&scene.display.background, y, height))
-        .collect();
     let materials = scene.materials.len();
     Truth {
         width,
@@ -62,8 +72,7 @@ pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sy
         pixels,
         background,
         materials,
-        geometry,
-        view,
+        windows,
     }
 }
 
@@ -127,16 +136,5 @@ fn in_front(a: (usize, f64), b: (usize, f64)) -> bool {
         a.0 < b.0
     } else {
         a.1 < b.1
-    }
-}
-
-/// The background in row `y`.
-fn row_colour(background: &Background, y: u32, height: u32) -> Rgb {
-    match *background {
-        Background::Solid(colour) => colour,
-        Background::Gradient { top, bottom } => {
-            let t = (f64::from(y) + 0.5) / f64::from(height);
-            std::array::from_fn(|i| top[i] + (bottom[i] - top[i]) * t)
-        }
     }
 }

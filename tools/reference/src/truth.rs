@@ -1,7 +1,6 @@
 //! What is truly seen at each pixel.
 
-use crate::geometry::Geometry;
-use crate::view::View;
+use crate::window::Window;
 use fixel_scene::Rgb;
 
 /// The surface seen at a pixel's centre.
@@ -39,12 +38,12 @@ pub struct Truth {
     pub(crate) width: u32,
     pub(crate) height: u32,
     pub(crate) pixels: Vec<Option<Hit>>,
-    /// The background's colour in each row.
+    /// The background's colour at each pixel.
     pub(crate) background: Vec<Rgb>,
     /// How many materials the scene has.
     pub(crate) materials: usize,
-    pub(crate) geometry: Geometry,
-    pub(crate) view: View,
+    /// Parts of the picture, later ones over earlier ones.
+    pub(crate) windows: Vec<Window>,
 }
 
 impl Truth {
@@ -83,9 +82,11 @@ impl Truth {
     /// Depth in units of the 16-bit buffer at which the given triangle itself
     /// is met at a pixel, seen or hidden; `None` if it is not met there.
     pub fn depth_of_lsb(&self, actor: usize, triangle: usize, x: u32, y: u32) -> Option<f64> {
-        let face = self.geometry.face(actor, triangle)?;
-        let meeting = face.seen(&self.view.ray(x, y), &self.view)?;
-        Some(self.view.depth_lsb(meeting.w))
+        let placed = |window| Some((window, Window::place(window, x, y)?));
+        let (window, [column, row]) = self.windows.iter().rev().find_map(placed)?;
+        let face = window.geometry.face(actor, triangle)?;
+        let meeting = face.seen(&window.view.ray(column, row), &window.view)?;
+        Some(window.view.depth_lsb(meeting.w))
     }
 
     /// The unquantised colour of every pixel, background included, each
@@ -93,10 +94,10 @@ impl Truth {
     pub fn colours(&self) -> impl Iterator<Item = Rgb> + '_ {
         self.pixels
             .iter()
-            .enumerate()
-            .map(|(i, pixel)| match pixel {
+            .zip(&self.background)
+            .map(|(pixel, background)| match pixel {
                 Some(hit) => hit.colour,
-                None => self.background[i / self.width as usize],
+                None => *background,
             })
     }
 

@@ -37,11 +37,21 @@ impl View {
     /// angle of view and the parallel scale are vertical, as VTK has them; the
     /// picture's aspect gives the width (pixels are square).
     pub fn new(camera: &Camera, width: u32, height: u32) -> Self {
+        Self::shaped(
+            camera,
+            [width, height],
+            f64::from(width) / f64::from(height),
+        )
+    }
+
+    /// The same with what is seen `shape` times as wide as high, whatever the
+    /// pixels.
+    pub(crate) fn shaped(camera: &Camera, size: [u32; 2], shape: f64) -> Self {
         let eye = DVec3::from(camera.position);
         let forward = (DVec3::from(camera.focal_point) - eye).normalize();
         let right = forward.cross(DVec3::from(camera.view_up)).normalize();
         let up = right.cross(forward);
-        let size_px = [f64::from(width), f64::from(height)];
+        let size_px = size.map(f64::from);
         let (half_height, perspective) = match camera.projection {
             Projection::Perspective { view_angle } => ((view_angle / 2.0).to_radians().tan(), true),
             Projection::Parallel { parallel_scale } => (parallel_scale, false),
@@ -51,7 +61,7 @@ impl View {
             right,
             up,
             forward,
-            half: [half_height * size_px[0] / size_px[1], half_height],
+            half: [half_height * shape, half_height],
             perspective,
             range: camera.clipping_range,
             size_px,

@@ -9,21 +9,21 @@ use fixel_reference::{
 };
 use fixel_scene::Shading;
 
-/// 256 greys; the background is colour 0.
-fn greys(height: u32) -> Lookup {
+/// 256 greys for a square picture; the background is colour 0.
+fn greys(side: u32) -> Lookup {
     Lookup {
         palette: (0..=255).map(|v| [v; 3]).collect(),
         paths: vec![Path::Level(Box::new(std::array::from_fn(|level| {
             level as u8
         })))],
         colours: Vec::new(),
-        background: vec![0; height as usize],
+        background: vec![0; (side * side) as usize],
     }
 }
 
 /// A palette of 4 levels of red and green and 2 of blue, by colour; the background
 /// is black.
-fn by_colour(height: u32) -> Lookup {
+fn by_colour(pixels: usize) -> Lookup {
     let colour = |i: usize| [(i >> 3) * 85, (i >> 1 & 3) * 85, (i & 1) * 255];
     let nearest = |i: usize| {
         let part = |shift: usize, most: usize| ((i >> shift & 15) * most + 7) / 15;
@@ -33,7 +33,7 @@ fn by_colour(height: u32) -> Lookup {
         palette: (0..32).map(|i| colour(i).map(|c| c as u8)).collect(),
         paths: vec![Path::Colour],
         colours: (0..COLOURS).map(nearest).collect(),
-        background: vec![0; height as usize],
+        background: vec![0; pixels],
     }
 }
 
@@ -202,7 +202,7 @@ fn the_quantised_psnr_forgives_the_palette_and_the_true_one_does_not() {
     // Levels in steps of 32, and a background that the scene does not have.
     let steps = std::array::from_fn(|level| (level / 32 * 32) as u8);
     lookup.paths[0] = Path::Level(Box::new(steps));
-    lookup.background[3] = 99;
+    lookup.background[3 * 16] = 99;
     let frame = Frame::from_truth(&truth, lookup);
     let report = compare(&truth, &frame).unwrap();
     assert_eq!(report.rgb_psnr_db, PSNR_IDENTICAL_DB);
@@ -219,7 +219,7 @@ fn a_material_by_colour_is_looked_up_by_colour() {
     add(&mut scene, screen_rect([0.0, 0.0], [1.0, 1.0], 0.0));
     let truth = truth(&scene);
     // 0.49 and 0.51 are 7 and 8 of 15, which are 1 and 2 of 3; 0.45 is 7 of 15.
-    let frame = Frame::from_truth(&truth, by_colour(1));
+    let frame = Frame::from_truth(&truth, by_colour(2));
     assert_eq!(frame.rgb, [[85, 170, 0], [0; 3]]);
     assert_eq!(frame.light[0], [125, 130, 115]);
     let report = compare(&truth, &frame).unwrap();

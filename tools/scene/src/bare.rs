@@ -56,6 +56,7 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
     Ok(Scene {
         display,
         camera,
+        viewports: Vec::new(),
         ambient: [1.0; 3],
         lights: vec![Light {
             kind: LightKind::Directional {

@@ -18,6 +18,9 @@ pub struct Scene {
     pub display: Display,
     /// The eye.
     pub camera: Camera,
+    /// Parts of the picture, later ones over earlier ones; none: the whole
+    /// picture shows what `camera` sees.
+    pub viewports: Vec<Viewport>,
     /// The ambient light `A`: the sum over all ambient lights of colour times
     /// intensity; white if the file names none.
     pub ambient: Rgb,
@@ -113,6 +116,33 @@ pub enum Projection {
         /// Half of the picture's height, in scene units.
         parallel_scale: f64,
     },
+}
+
+/// A part of the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Viewport {
+    /// `[x, y, width, height]` as parts of the picture's width and height, all
+    /// within 0..=1; (x, y) is the lower left corner and y points up, as VTK has
+    /// it. In pixels, each side is at the line between pixels that is nearest.
+    pub rectangle: [f64; 4],
+    /// Its own eye; `None`: [`Scene::camera`].
+    pub camera: Option<Camera>,
+    /// Its own background; `None`: [`Display::background`], a gradient of which
+    /// runs from the viewport's top edge to its bottom edge.
+    pub background: Option<Background>,
+    /// How the camera's picture is brought into it.
+    pub aspect: Aspect,
+}
+
+/// How a camera's picture is brought into a viewport. Its height always shows the
+/// camera's angle of view or parallel scale.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Aspect {
+    /// Pixels are square; the viewport's shape decides how much is seen to the
+    /// sides (the default).
+    Keep,
+    /// As much is seen as in the whole picture, squeezed or stretched.
+    Stretch,
 }
 
 /// A light that has a direction or a place.

@@ -18,7 +18,7 @@ mod surface;
 mod tests;
 mod way;
 
-use fixel_scene::{Background, Light, LightKind, Material, Rgb, Scene};
+use fixel_scene::{Background, Light, LightKind, Material, Rgb, Scene, Viewport};
 
 use choose::{Sample, choose};
 use nearest::{Nearest, lookup};
@@ -44,6 +44,8 @@ pub(crate) struct Tables {
     pub colours: Vec<u8>,
     /// Indices from the top of the screen to its bottom.
     pub background: Vec<u8>,
+    /// The same for each viewport; empty if it has the scene's.
+    pub viewport_backgrounds: Vec<Vec<u8>>,
 }
 
 /// A material's way from light to an index.
@@ -57,10 +59,19 @@ pub(crate) enum Path {
 
 pub(crate) fn tables(scene: &Scene) -> Tables {
     let background = background_colours(&scene.display.background);
+    let own = |viewport: &Viewport| viewport.background.as_ref().map(background_colours);
+    let own: Vec<Vec<Rgb>> = scene
+        .viewports
+        .iter()
+        .map(|viewport| own(viewport).unwrap_or_default())
+        .collect();
+    let mut backgrounds = own.clone();
+    backgrounds.push(background.clone());
+    backgrounds.retain(|colours| !colours.is_empty());
     let ways: Vec<Way> = (0..scene.materials.len())
         .map(|material| Way::of(scene, material))
         .collect();
-    let palette = palette(scene, &ways, &background);
+    let palette = palette(scene, &ways, &backgrounds);
     let nearest = Nearest::new(&palette);
     let row = |material: &Material| {
         let mut row = [0; 256];
@@ -87,14 +98,19 @@ pub(crate) fn tables(scene: &Scene) -> Tables {
         paths,
         shades,
         colours,
-        background: background.iter().map(|c| nearest.index(*c)).collect(),
+        background: indices(&nearest, &background),
+        viewport_backgrounds: own.iter().map(|c| indices(&nearest, c)).collect(),
         palette,
     }
 }
 
+fn indices(nearest: &Nearest, colours: &[Rgb]) -> Vec<u8> {
+    colours.iter().map(|c| nearest.index(*c)).collect()
+}
+
 /// The palette's entries: a file's, or those asked for and then the best for the
 /// rest.
-fn palette(scene: &Scene, ways: &[Way], background: &[Rgb]) -> Vec<[u8; 3]> {
+fn palette(scene: &Scene, ways: &[Way], backgrounds: &[Vec<Rgb>]) -> Vec<[u8; 3]> {
     let wanted = &scene.palette;
     if !wanted.fixed.is_empty() {
         return wanted.fixed.clone();
@@ -104,12 +120,14 @@ fn palette(scene: &Scene, ways: &[Way], background: &[Rgb]) -> Vec<[u8; 3]> {
     palette.truncate(most);
     if ways.contains(&Way::Colour) {
         let mut samples = surface::samples(scene);
-        let weight = BACKGROUND_WEIGHT / background.len() as f64;
-        samples.extend(background.iter().map(|&colour| Sample { colour, weight }));
+        for background in backgrounds {
+            let weight = BACKGROUND_WEIGHT / (background.len() * backgrounds.len()) as f64;
+            samples.extend(background.iter().map(|&colour| Sample { colour, weight }));
+        }
         return choose(&samples, &palette, most);
     }
     if palette.len() < most {
-        let mut ramps = vec![Ramp::new(background.to_vec())];
+        let mut ramps: Vec<Ramp> = backgrounds.iter().map(|b| Ramp::new(b.clone())).collect();
         for material in &scene.materials {
             let (first, last) = reachable_levels(material, scene);
             let colour = |level| shade(material, &scene.ambient, level);

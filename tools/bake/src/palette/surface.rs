@@ -95,8 +95,12 @@ impl<'a> Surface<'a> {
         (b - a).cross(c - a)
     }
 
-    /// Whether the camera sees a side of the face that is not drawn.
+    /// Whether the camera sees a side of the face that is not drawn; in viewports,
+    /// other cameras may see the other one.
     fn is_away(&self, triangle: &[usize; 3]) -> bool {
+        if !self.scene.viewports.is_empty() {
+            return false;
+        }
         let towards = self.eye(self.places[triangle[0]]);
         let front = self.cross(triangle).dot(towards) > 0.0;
         match self.material.cull {

@@ -47,6 +47,7 @@ fn scene(width: u32, height: u32, projection: Projection) -> Scene {
             projection,
             clipping_range: RANGE,
         },
+        viewports: Vec::new(),
         ambient: [1.0; 3],
         lights: vec![white_light([0.0, 0.0, -1.0])],
         materials: vec![material()],

@@ -15,6 +15,7 @@ mod panel;
 mod table;
 #[cfg(test)]
 mod tests;
+mod viewport;
 
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
@@ -48,9 +49,9 @@ const ROOT: Keys = Keys {
         "text",
         "animation",
         "palette",
+        "viewport",
     ],
     later: &[
-        ("viewport", Neutral::Never),
         ("fog", Neutral::Never),
         ("plane", Neutral::Never),
         ("ray", Neutral::Never),
@@ -83,10 +84,12 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
     let aspect = f64::from(display.width) / f64::from(display.height);
     let camera = one(&root, "camera", &camera::CAMERA)?;
     let camera = camera::camera(camera.as_ref(), &bounds, aspect)?;
+    let viewports = viewport::viewports(&root, &bounds, &display)?;
     let lights = lights.unwrap_or_else(|| vec![headlight(&camera)]);
     Ok(Scene {
         display,
         camera,
+        viewports,
         ambient,
         lights,
         materials,

@@ -150,8 +150,24 @@ messages! {
         => "t.toml:2: material.texture: is not supported yet";
     same_names: "[[material]]\nname = \"a\"\n[[material]]\nname = \"a\""
         => "t.toml:4: material.name: \"a\" is the name of another; expected a name of its own";
-    viewport: "[[viewport]]\nx = 0"
-        => "t.toml:1: viewport: is not supported yet";
+    viewport_key: "[[viewport]]\nx = 0"
+        => "t.toml:2: viewport.x: is an unknown key; expected one of rectangle, camera, \
+            background, aspect";
+    viewport_beyond: "[[viewport]]\nrectangle = [0.5, 0, 0.6, 1]"
+        => "t.toml:2: viewport.rectangle: [0.5, 0.0, 0.6, 1.0] reaches beyond the picture; \
+            expected [x, y, width, height] in 0..=1 from the picture's lower left corner, \
+            e.g. rectangle = [0.7, 0.7, 0.3, 0.3]";
+    viewport_empty: "[[viewport]]\nrectangle = [0, 0, 0, 1]"
+        => "t.toml:2: viewport.rectangle: 0 x 1 has no area; \
+            expected [x, y, width, height] in 0..=1 from the picture's lower left corner, \
+            e.g. rectangle = [0.7, 0.7, 0.3, 0.3]";
+    viewport_aspect: "[[viewport]]\naspect = \"fit\""
+        => "t.toml:2: viewport.aspect: \"fit\" is unknown; expected \"keep\" or \"stretch\"";
+    viewport_camera: "[[viewport]]\ncamera = 3"
+        => "t.toml:2: viewport.camera: is not a table; \
+            expected [viewport.camera] below its [[viewport]]";
+    viewport_camera_key: "[[viewport]]\n[viewport.camera]\nview_angel = 3"
+        => "t.toml:3: viewport.camera.view_angel: is an unknown key; did you mean view_angle?";
     turntable: "[animation]\nturntable = 0"
         => "t.toml:2: animation.turntable: 0 is out of range; \
             expected a whole number in 1..=100000";
@@ -423,4 +439,23 @@ fn annotations_are_actors_that_stay_where_they_are() {
     assert_eq!(scene.actors[1].look.space, Space::Screen);
     // The marker on the screen is not in the world, whose middle is this one.
     assert_eq!(scene.camera.focal_point, [0.5, 0.5, 4.5]);
+}
+
+#[test]
+fn viewports_have_defaults() {
+    let viewports = "[[viewport]]\n[[viewport]]\nrectangle = [0.7, 0.7, 0.3, 0.3]\n\
+                     [viewport.camera]\nprojection = \"parallel\"\n";
+    let scene = read(&format!("{viewports}{ACTOR}")).unwrap();
+    let [whole, inset] = scene.viewports.as_slice() else {
+        panic!("two viewports");
+    };
+    assert_eq!(whole.rectangle, [0.0, 0.0, 1.0, 1.0]);
+    assert!(whole.camera.is_none() && whole.background.is_none());
+    let camera = inset.camera.unwrap();
+    assert!(matches!(camera.projection, Projection::Parallel { .. }));
+    let many = "[[viewport]]\n".repeat(9);
+    assert_eq!(
+        refused(&many),
+        "t.toml:9: viewport: is one too many; expected at most 8 [[viewport]]"
+    );
 }

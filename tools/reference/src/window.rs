@@ -1,0 +1,84 @@
+//! The parts of a picture that have cameras of their own.
+
+use crate::geometry::Geometry;
+use crate::view::View;
+use fixel_scene::{Aspect, Background, Camera, Rgb, Scene, Viewport};
+
+/// A viewport in a picture.
+#[derive(Clone, Debug)]
+pub(crate) struct Window {
+    /// First column and row, y down.
+    pub corner: [u32; 2],
+    /// Columns and rows.
+    pub size: [u32; 2],
+    pub view: View,
+    pub geometry: Geometry,
+    background: Background,
+}
+
+impl Window {
+    /// All of a scene's, later ones over earlier ones.
+    pub fn all(scene: &Scene, width: u32, height: u32, frame: u32) -> Vec<Self> {
+        let whole = [Viewport {
+            rectangle: [0.0, 0.0, 1.0, 1.0],
+            camera: None,
+            background: None,
+            aspect: Aspect::Keep,
+        }];
+        let viewports = match scene.viewports.as_slice() {
+            [] => &whole[..],
+            viewports => viewports,
+        };
+        let window = |viewport: &Viewport| {
+            let [x, y, w, h] = viewport.rectangle;
+            let ([left, right], [top, bottom]) = (
+                [x, x + w].map(|at| line(at, width)),
+                [1.0 - (y + h), 1.0 - y].map(|at| line(at, height)),
+            );
+            let size = [right - left, bottom - top];
+            let shape = match viewport.aspect {
+                Aspect::Keep => f64::from(size[0]) / f64::from(size[1]),
+                Aspect::Stretch => f64::from(width) / f64::from(height),
+            };
+            let camera: &Camera = viewport.camera.as_ref().unwrap_or(&scene.camera);
+            let view = View::shaped(camera, size, shape);
+            Self {
+                corner: [left, top],
+                size,
+                geometry: Geometry::new(scene, &view, frame),
+                view,
+                background: viewport.background.unwrap_or(scene.display.background),
+            }
+        };
+        viewports.iter().map(window).collect()
+    }
+
+    /// Column and row of the picture's pixel in this part, if it is in it.
+    pub fn place(&self, x: u32, y: u32) -> Option<[u32; 2]> {
+        let [left, top] = self.corner;
+        let place = [x.checked_sub(left)?, y.checked_sub(top)?];
+        (place[0] < self.size[0] && place[1] < self.size[1]).then_some(place)
+    }
+
+    /// The background in row `y` of this part.
+    pub fn background(&self, y: u32) -> Rgb {
+        row_colour(&self.background, y, self.size[1])
+    }
+}
+
+/// The line between pixels that is nearest to a part of the picture's size. Ties,
+/// which the rounding of a scene's numbers would decide, go up.
+fn line(at: f64, size: u32) -> u32 {
+    (at * f64::from(size) + 0.5 + 1e-4).floor() as u32
+}
+
+/// A background's colour in row `y` of `height`.
+pub(crate) fn row_colour(background: &Background, y: u32, height: u32) -> Rgb {
+    match *background {
+        Background::Solid(colour) => colour,
+        Background::Gradient { top, bottom } => {
+            let t = (f64::from(y) + 0.5) / f64::from(height);
+            std::array::from_fn(|i| top[i] + (bottom[i] - top[i]) * t)
+        }
+    }
+}
