@@ -47,4 +47,4 @@ pub use display::{Display, DrawTargetDisplay};
 pub use frame::Band;
 pub use include::Aligned;
 pub use render::{FrameStats, Scratch, render_frame};
-pub use scene::{Camera, Placement, Pose, Scene, SceneError};
+pub use scene::{Camera, Place, Placement, Pose, Scene, SceneError};

@@ -69,6 +69,30 @@ impl Angle {
         Self(((part << 32) / denominator as u64) as u32)
     }
 
+    /// The angle in 0..a quarter turn with this tangent (in 2^-24), rounded down to
+    /// what [`Angle::sin_cos`] tells apart: within 2^-27 turns.
+    pub fn of_tangent(tangent: u32) -> Self {
+        // From the highest bit, those that leave sin <= tangent * cos.
+        let below = |angle: Self| {
+            let (sin, cos) = angle.sin_cos();
+            i64::from(sin) << 24 <= i64::from(tangent) * i64::from(cos)
+        };
+        let bits = (0..30).rev().map(|bit| 1u32 << bit);
+        bits.fold(Self(0), |angle, bit| {
+            let more = Self(angle.0 | bit);
+            if below(more) { more } else { angle }
+        })
+    }
+
+    /// The tangent in 2^-24, rounded to nearest; within 1..=2^32 - 1 for angles of
+    /// up to a quarter turn.
+    pub fn tangent(self) -> u32 {
+        let (sin, cos) = self.sin_cos();
+        let (sin, cos) = (i64::from(sin.max(0)), i64::from(cos.max(1)));
+        let quotient = ((sin << 24) + cos / 2) / cos;
+        quotient.clamp(1, i64::from(u32::MAX)) as u32
+    }
+
     /// The sum, wrapping at a full turn.
     #[must_use]
     pub const fn plus(self, other: Self) -> Self {

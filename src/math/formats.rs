@@ -8,6 +8,9 @@ use fixed::{FixedI32, FixedU16, FixedU32};
 /// see [`Scene::world_exponent`](crate::scene::Scene::world_exponent).
 pub type World = fixed::types::I16F16;
 
+/// Factors of sizes and distances: 0..256 in steps of 2^-24; 1 leaves what it is.
+pub type Factor = fixed::types::U8F24;
+
 /// Fractional bits of a screen position. Coverage would be content with 8; depth
 /// is not: a vertex that snaps by 1/512 pixel on a face that falls 500 depth
 /// units a pixel is a unit off. Pixels within one unit of the exact depth, with

@@ -15,7 +15,7 @@ mod wide;
 
 pub use angle::Angle;
 pub use formats::{
-    Depth, FineDepth, FineLevel, HALF_PX, Level, MAX_SCREEN, SUBPX_BITS, SubPx, World,
+    Depth, Factor, FineDepth, FineLevel, HALF_PX, Level, MAX_SCREEN, SUBPX_BITS, SubPx, World,
 };
 pub use quotient::Divider;
 pub use recip::{Reciprocal, reciprocal};

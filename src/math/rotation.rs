@@ -41,6 +41,25 @@ impl Rotation {
         }
     }
 
+    /// About an axis of any direction, counter-clockwise seen against it
+    /// (Rodrigues' formula).
+    pub fn about(axis: Unit3, angle: Angle) -> Self {
+        let (s, c) = angle.sin_cos();
+        let scale = |a: i32, by: i64| ((i64::from(a) * by + (1 << 29)) >> 30) as i32;
+        let [sx, sy, sz] = axis.map(|a| scale(a, s.into()));
+        let across = [[0, -sz, sy], [sz, 0, -sx], [-sy, sx, 0]];
+        let mut rows = Self {
+            rows: [[c, 0, 0], [0, c, 0], [0, 0, c]],
+        };
+        for ((row, across), a) in rows.rows.iter_mut().zip(across).zip(axis) {
+            for ((entry, across), b) in row.iter_mut().zip(across).zip(axis) {
+                let both = scale(a, b.into());
+                *entry += across + scale(both, i64::from(ONE) - i64::from(c));
+            }
+        }
+        rows
+    }
+
     /// About y, then x, then z: VTK's order for an actor's orientation.
     pub fn from_orientation([x, y, z]: [Angle; 3]) -> Self {
         Self::about_y(y)

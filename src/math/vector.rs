@@ -42,6 +42,16 @@ impl Vec3 {
         [self.x.to_bits(), self.y.to_bits(), self.z.to_bits()]
     }
 
+    /// The sum with raw bits; saturates.
+    pub(crate) fn plus(self, by: [i64; 3]) -> Self {
+        let mut bits = self.to_bits();
+        for (sum, c) in bits.iter_mut().zip(by) {
+            let wide = c.saturating_add(i64::from(*sum));
+            *sum = wide.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
+        }
+        Self::from_bits(bits)
+    }
+
     /// `self - other` in raw bits, exact.
     pub(crate) fn minus(self, other: Self) -> [i64; 3] {
         let ([ax, ay, az], [bx, by, bz]) = (self.to_bits(), other.to_bits());

@@ -69,8 +69,8 @@ impl<'a> Actors<'a> {
             self.viewport(viewport);
             let slot = self.slots.get_mut(which)?;
             let actor = self.scene.actor(index);
-            let placement = self.pose.placement(index, &actor);
-            slot.view = ActorView::new(&self.view, self.scene, &actor, &placement);
+            let place = self.pose.place(self.scene, index, &actor);
+            slot.view = ActorView::new(&self.view, self.scene, &actor, &place);
             slot.held = number + 1;
         }
         Some(&self.slots.get(which)?.view)

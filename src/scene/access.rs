@@ -71,6 +71,8 @@ impl<'a> Scene<'a> {
             offset: [0; 3],
             step_mantissa: 1 << 31,
             step_exponent: 0,
+            parent: None,
+            still: false,
         })
     }
 

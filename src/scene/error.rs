@@ -20,6 +20,8 @@ pub enum Section {
     Fine,
     Viewports,
     ViewportBackgrounds,
+    Tracks,
+    Keys,
 }
 
 impl Section {
@@ -39,6 +41,8 @@ impl Section {
         Self::Fine,
         Self::Viewports,
         Self::ViewportBackgrounds,
+        Self::Tracks,
+        Self::Keys,
     ];
 }
 
@@ -76,6 +80,11 @@ pub enum Field {
     Fine,
     Sides,
     Background,
+    Parent,
+    Target,
+    Quantity,
+    FirstKey,
+    Frame,
 }
 
 /// Why a blob was refused. Nothing of a refused blob is used.

@@ -25,6 +25,8 @@ pub struct Header {
     pub centre_exponent: i8,
     /// Frames in a full turn of every actor about its y axis; 0: none.
     pub turntable: u32,
+    /// Frames after which the tracks start again; 0: never.
+    pub frames: u32,
     /// Eye, raw [`World`](crate::math::World) bits.
     pub position: [i32; 3],
     /// What is in the middle of the picture.
@@ -73,7 +75,7 @@ impl Record for Header {
             c0,
             c1,
             c2,
-            _,
+            frames,
         ] = *words;
         let [format, exponent, centre_exponent, range_exponent] = format.to_ne_bytes();
         Self {
@@ -86,6 +88,7 @@ impl Record for Header {
             world_centre: [i(c0), i(c1), i(c2)],
             centre_exponent: centre_exponent as i8,
             turntable: u(turntable),
+            frames: u(frames),
             position: [i(p0), i(p1), i(p2)],
             focal_point: [i(f0), i(f1), i(f2)],
             view_up: [i(u0), i(u1), i(u2)],
@@ -130,7 +133,7 @@ impl Record for Header {
             c0,
             c1,
             c2,
-            0,
+            self.frames.to_le(),
         ]
     }
 }

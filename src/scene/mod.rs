@@ -6,19 +6,22 @@ mod access;
 mod camera_record;
 mod error;
 mod header;
+mod moves;
 mod parse;
 mod pose;
 mod records;
+mod track;
 mod viewport;
 
 pub use camera_record::CameraRecord;
 pub use error::{Field, SceneError, Section};
 pub use header::Header;
 pub use parse::Scene;
-pub use pose::{Camera, Placement, Pose, Projection};
+pub use pose::{Camera, Place, Placement, Pose, Projection};
 pub use records::{
     Actor, ColourFormat, Cull, Light, Material, Mesh, Meshlet, Record, Shading, checksum,
 };
+pub use track::{Key, Quantity, Track};
 pub use viewport::{FULL_SIDE, Gradient, PlacedViewport, Viewport};
 
 /// Sizes and limits of the blob.
@@ -30,7 +33,7 @@ pub mod layout {
     /// Words of the header, before the section table.
     pub const HEADER_WORDS: usize = 24;
     /// Sections; each has two words in the table: byte offset and count.
-    pub const SECTIONS: usize = 14;
+    pub const SECTIONS: usize = 16;
     /// Bytes before the first section.
     pub const PREFIX_BYTES: usize = 4 * (HEADER_WORDS + 2 * SECTIONS);
     /// Where the checksum starts: after magic, version, length, checksum.
@@ -53,6 +56,10 @@ pub mod layout {
     /// less than twice that, stays within 2^23 world units, far beyond what a
     /// world holds.
     pub const STEP_EXPONENTS: (i32, i32) = (-64, 0);
+    /// Most actors above an actor: its parent, its parent's parent and so on.
+    pub const PARENTS: usize = 16;
+    /// The target of a track that moves the camera.
+    pub const CAMERA: u16 = u16::MAX;
     /// Largest shift of a meshlet's vertices: 16 bits and this span the grid.
     pub const MOST_SHIFT: u8 = 7;
 }

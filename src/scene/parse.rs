@@ -5,8 +5,8 @@ use bytemuck::{AnyBitPattern, try_cast_slice};
 
 use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
 use super::{
-    Actor, ColourFormat, Field, Header, Light, Material, Mesh, Meshlet, Record, SceneError,
-    Section, Viewport, checksum,
+    Actor, ColourFormat, Field, Header, Key, Light, Material, Mesh, Meshlet, Record, SceneError,
+    Section, Track, Viewport, checksum,
 };
 
 /// A checked scene, read in place from flash.
@@ -27,6 +27,8 @@ pub struct Scene<'a> {
     pub(crate) fine: &'a [[u8; 4]],
     pub(crate) viewports: &'a [<Viewport as Record>::Words],
     pub(crate) viewport_backgrounds: &'a [u8],
+    pub(crate) tracks: &'a [<Track as Record>::Words],
+    pub(crate) keys: &'a [<Key as Record>::Words],
 }
 
 impl<'a> Scene<'a> {
@@ -85,11 +87,14 @@ impl<'a> Scene<'a> {
             fine: section(bytes, &mut table)?,
             viewports: section(bytes, &mut table)?,
             viewport_backgrounds: section(bytes, &mut table)?,
+            tracks: section(bytes, &mut table)?,
+            keys: section(bytes, &mut table)?,
         };
         scene.check_colours()?;
         scene.check_actors()?;
         scene.check_meshes()?;
         scene.check_viewports()?;
+        scene.check_tracks()?;
         Ok(scene)
     }
 
@@ -202,6 +207,7 @@ impl<'a> Scene<'a> {
                 layout::STEP_EXPONENTS.0.into(),
                 layout::STEP_EXPONENTS.1.into(),
             )?;
+            self.check_parents(i, &actor)?;
             let (mesh, material) = (self.mesh(actor.mesh), self.material(actor.material));
             if material.shading == super::Shading::Flat {
                 let has = i64::from(mesh.face_normals);
@@ -209,6 +215,22 @@ impl<'a> Scene<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Every chain of parents ends.
+    fn check_parents(&self, i: usize, actor: &Actor) -> Result<(), SceneError> {
+        let s = Section::Actors;
+        let last = self.actors.len() as i64 - 1;
+        let mut above = actor.parent;
+        for _ in 0..layout::PARENTS {
+            let Some(parent) = above else { return Ok(()) };
+            range(s, i, Field::Parent, parent.into(), 0, last)?;
+            above = self.actor(parent).parent;
+        }
+        match above {
+            Some(parent) => range(s, i, Field::Parent, parent.into(), -1, -1),
+            None => Ok(()),
+        }
     }
 
     fn check_meshes(&self) -> Result<(), SceneError> {
@@ -396,7 +418,12 @@ fn check_header(header: &Header) -> Result<(), SceneError> {
     }
 }
 
-fn count(section: Section, count: usize, least: usize, most: usize) -> Result<(), SceneError> {
+pub(super) fn count(
+    section: Section,
+    count: usize,
+    least: usize,
+    most: usize,
+) -> Result<(), SceneError> {
     range(
         section,
         0,
@@ -407,7 +434,7 @@ fn count(section: Section, count: usize, least: usize, most: usize) -> Result<()
     )
 }
 
-fn range(
+pub(super) fn range(
     section: Section,
     index: usize,
     field: Field,

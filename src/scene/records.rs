@@ -152,8 +152,9 @@ impl Record for Material {
     }
 }
 
-/// A mesh placed in the world. A grid point `q` of the mesh goes to
-/// `position + R (offset + q * step)`, with `R` from `orientation`.
+/// A mesh placed in its parent's space, or in the world. A grid point `q` of the
+/// mesh goes to `position + R (offset + q * step)`, with `R` from `orientation`;
+/// then, if there is a parent, to `parent's position + parent's R that`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Actor {
     /// Which mesh.
@@ -172,13 +173,32 @@ pub struct Actor {
     pub step_mantissa: u32,
     /// See `step_mantissa`; within [`STEP_EXPONENTS`](super::layout::STEP_EXPONENTS).
     pub step_exponent: i32,
+    /// The actor that it moves with. No chain of parents is longer than
+    /// [`PARENTS`](super::layout::PARENTS).
+    pub parent: Option<u16>,
+    /// A turntable leaves it where it is.
+    pub still: bool,
 }
 
 impl Record for Actor {
-    type Words = [u32; 12];
+    type Words = [u32; 13];
 
     fn from_words(words: &Self::Words) -> Self {
-        let [ids, p0, p1, p2, a0, a1, a2, o0, o1, o2, mantissa, exponent] = *words;
+        let [
+            ids,
+            p0,
+            p1,
+            p2,
+            a0,
+            a1,
+            a2,
+            o0,
+            o1,
+            o2,
+            mantissa,
+            exponent,
+            parent,
+        ] = *words;
         Self {
             mesh: u(ids) as u16,
             material: (u(ids) >> 16) as u16,
@@ -187,6 +207,9 @@ impl Record for Actor {
             offset: [i(o0), i(o1), i(o2)],
             step_mantissa: u(mantissa),
             step_exponent: i(exponent),
+            // 1 more than its index, so that 0 is none.
+            parent: (u(parent) as u16).checked_sub(1),
+            still: u(parent) >> 16 & 1 != 0,
         }
     }
 
@@ -195,6 +218,8 @@ impl Record for Actor {
         let [a0, a1, a2] = self.orientation.map(u32::to_le);
         let [o0, o1, o2] = self.offset.map(w);
         let ids = u32::from(self.mesh) | u32::from(self.material) << 16;
+        let parent = self.parent.map_or(0, |p| u32::from(p) + 1);
+        let last = parent | u32::from(self.still) << 16;
         [
             ids.to_le(),
             p0,
@@ -208,6 +233,7 @@ impl Record for Actor {
             o2,
             self.step_mantissa.to_le(),
             w(self.step_exponent),
+            last.to_le(),
         ]
     }
 }

@@ -1,8 +1,8 @@
 //! One actor in one frame.
 
 use super::{DepthMap, FINE_ROW_FRACTION, Lens, ModelLights, ROW_FRACTION, ViewFrame};
-use crate::math::{MAX_SCREEN, Rotation, SUBPX_BITS};
-use crate::scene::{Actor, Cull, Material, Mesh, Placement, Scene, Shading};
+use crate::math::{MAX_SCREEN, SUBPX_BITS};
+use crate::scene::{Actor, Cull, Material, Mesh, Place, Scene, Shading};
 
 /// The eye as an actor's grid sees it.
 #[derive(Clone, Copy, Debug)]
@@ -106,23 +106,23 @@ impl ActorView {
         parallel_guard: 0,
     };
 
-    /// Brings one actor, placed at `placement`, before the camera.
-    pub fn new(frame: &ViewFrame, scene: &Scene<'_>, actor: &Actor, placement: &Placement) -> Self {
+    /// Brings one actor that is at `place` before the camera.
+    pub fn new(frame: &ViewFrame, scene: &Scene<'_>, actor: &Actor, place: &Place) -> Self {
         let mesh = scene.mesh(actor.mesh);
         let material = scene.material(actor.material);
-        let to_world = Rotation::from_orientation(placement.orientation);
+        let to_world = place.rotation;
         let to_view = to_world.then(&frame.rotation);
+        let (step_mantissa, step_exponent) = place.step(actor);
 
         // The grid's centre in view space, world units in Q30.
-        let offset = actor.offset.map(|c| i64::from(c) << 14);
-        let [ox, oy, oz] = to_world.apply_wide(offset);
-        let [px, py, pz] = placement.position.minus(frame.eye).map(|c| c << 14);
+        let [ox, oy, oz] = to_world.apply_wide(place.scaled(actor.offset));
+        let [px, py, pz] = place.position.minus(frame.eye).map(|c| c << 14);
         let [cx, cy, cz] = frame.rotation.apply_wide([px + ox, py + oy, pz + oz]);
         let centre = [cx, -cy, -cz]; // y down, distance along the line of sight
 
         // A sphere about it, in the same units, and the actor's clip unit.
-        let radius = (i64::from(mesh.radius) * i64::from(actor.step_mantissa)) >> 1;
-        let radius = shift(radius, actor.step_exponent).saturating_add(1);
+        let radius = (i64::from(mesh.radius) * i64::from(step_mantissa)) >> 1;
+        let radius = shift(radius, step_exponent).saturating_add(1);
         let farthest = centre.iter().fold(0, |m: i64, c| m.max(c.abs()));
         let reach = farthest.saturating_add(radius);
         let reach_bits = 64 - reach.leading_zeros() as i32;
@@ -131,13 +131,13 @@ impl ActorView {
         let scale = 30 - down;
 
         let [kappa_x, kappa_y] = frame.lens.mantissas.map(i64::from);
-        let mantissa = i64::from(actor.step_mantissa);
+        let mantissa = i64::from(step_mantissa);
         let row_fraction = if mesh.fine.is_some() {
             FINE_ROW_FRACTION
         } else {
             ROW_FRACTION
         };
-        let row_shift = actor.step_exponent + scale + row_fraction as i32 - 30;
+        let row_shift = step_exponent + scale + row_fraction as i32 - 30;
         let [x, y, z] = to_view
             .rows
             .map(|row| row.map(|c| (i64::from(c) * mantissa) >> 31));
@@ -179,7 +179,7 @@ impl ActorView {
             perspective: frame.perspective,
             parallel_shift: scale - frame.lens.exponent,
             depth: DepthMap::new(frame, scale, near),
-            eye: eye_in_grid(frame, actor, placement, &to_world),
+            eye: eye_in_grid(frame, actor, place),
             lights: ModelLights::new(scene, &material, &to_world),
             material,
             mesh,
@@ -251,26 +251,22 @@ fn row_length([a, b, c]: [i32; 3]) -> i32 {
     (squared.isqrt() + 1).min(i32::MAX as u64) as i32
 }
 
-fn eye_in_grid(
-    frame: &ViewFrame,
-    actor: &Actor,
-    placement: &Placement,
-    to_world: &Rotation,
-) -> EyeInGrid {
-    let to_model = to_world.transposed();
+fn eye_in_grid(frame: &ViewFrame, actor: &Actor, place: &Place) -> EyeInGrid {
+    let to_model = place.rotation.transposed();
     if !frame.perspective {
         let [.., z] = frame.rotation.rows;
         return EyeInGrid::Direction(to_model.apply(z).map(i32::wrapping_neg));
     }
-    let from_pivot = frame.eye.minus(placement.position).map(|c| c << 14);
+    let from_pivot = frame.eye.minus(place.position).map(|c| c << 14);
     let [x, y, z] = to_model.apply_wide(from_pivot);
-    let [ox, oy, oz] = actor.offset.map(|c| i64::from(c) << 14);
+    let [ox, oy, oz] = place.scaled(actor.offset);
     // World units in Q30 over a step of mantissa * 2^(exponent - 31); 16 bits
     // of the mantissa are enough to cull by.
-    let divisor = i64::from(actor.step_mantissa >> 16);
+    let (mantissa, exponent) = place.step(actor);
+    let divisor = i64::from(mantissa >> 16);
     let steps = |c: i64| {
         let quotient = (c << 14).checked_div(divisor).unwrap_or(0);
-        shift(quotient, 31 - 16 - 30 - 14 - actor.step_exponent).clamp(-(1 << 40), 1 << 40)
+        shift(quotient, 31 - 16 - 30 - 14 - exponent).clamp(-(1 << 40), 1 << 40)
     };
     EyeInGrid::Point([steps(x - ox), steps(y - oy), steps(z - oz)])
 }

@@ -93,10 +93,10 @@ fn small_and_odd_screens() {
 }
 
 #[test]
-fn every_frame_of_a_turn() {
-    for name in ["teapot", "cube"] {
+fn frames_of_an_animation() {
+    for name in ["teapot", "cube", "parents", "keyframes"] {
         let scene = scene(name);
-        for frame in (0..48).step_by(5) {
+        for frame in (0..60).step_by(7) {
             hold(&format!("{name}, frame {frame}"), &compare(&scene, frame));
         }
     }

@@ -8,6 +8,11 @@ fn small() -> Baked {
     fixel_tests::load(&fixel_tests::root().join("tests/data/small.toml")).1
 }
 
+/// Parents, and key frames of actors and of the camera.
+fn moving() -> Baked {
+    fixel_tests::load(&fixel_tests::root().join("tests/data/moving.toml")).1
+}
+
 /// The blob as words, with the checksum made good after a change.
 fn with_change(baked: &Baked, change: impl FnOnce(&mut [u8])) -> Vec<u32> {
     let mut bytes = baked.bytes().to_vec();
@@ -63,7 +68,7 @@ fn each_kind_of_damage_has_its_error() {
 
 #[test]
 fn an_index_out_of_range_is_named() {
-    let baked = small();
+    let baked = moving();
     let table = |section: usize| 4 * (layout::HEADER_WORDS + 2 * section);
     let place = |section: usize| {
         let at = table(section);
@@ -87,6 +92,14 @@ fn an_index_out_of_range_is_named() {
             Field::VertexIndex,
         ),
         (Section::Meshlets, 14, Section::Meshlets, Field::Count),
+        // The first track's actor, its quantity, its first key, its keys.
+        (Section::Tracks, 0, Section::Tracks, Field::Target),
+        (Section::Tracks, 2, Section::Tracks, Field::Quantity),
+        (Section::Tracks, 4, Section::Tracks, Field::FirstKey),
+        (Section::Tracks, 8, Section::Tracks, Field::Count),
+        // A key's frame after the next one's.
+        (Section::Keys, 0, Section::Keys, Field::Frame),
+        (Section::Actors, 48, Section::Actors, Field::Parent),
     ];
     for (part, offset, wanted_section, wanted_field) in cases {
         let at = place(section(part)) + offset;
@@ -113,11 +126,16 @@ fn every_truncation_is_refused() {
 
 #[test]
 fn every_changed_byte_is_refused_or_drawn_safely() {
-    let baked = small();
+    for baked in [small(), moving()] {
+        change_every_byte(&baked);
+    }
+}
+
+fn change_every_byte(baked: &Baked) {
     let (mut drawn, mut refused) = (0, 0);
     for at in layout::CHECKED_FROM..baked.bytes().len() {
         for flip in [0x01, 0x80, 0xff] {
-            let words = with_change(&baked, |bytes| bytes[at] ^= flip);
+            let words = with_change(baked, |bytes| bytes[at] ^= flip);
             let bytes: Vec<u8> = words.iter().flat_map(|w| w.to_le_bytes()).collect();
             match Baked::from_bytes(&bytes) {
                 Ok(changed) => {

@@ -17,7 +17,7 @@ fn view() -> ActorView {
     let pose = scene.pose(0);
     let frame = ViewFrame::new(&pose.camera, SIZE.0, SIZE.1);
     let actor = scene.actor(0);
-    let mut view = ActorView::new(&frame, &scene, &actor, &pose.placement(0, &actor));
+    let mut view = ActorView::new(&frame, &scene, &actor, &pose.place(&scene, 0, &actor));
     // Room for places up to four times as far as the near plane.
     view.near /= 8;
     view.far = view.near * 4;

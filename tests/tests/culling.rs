@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use fixed::types::U8F24;
 use fixel::clip::clip;
 use fixel::cull::{Verdict, judge};
-use fixel::math::{Angle, Vec3, World};
+use fixel::math::{Angle, Factor, Vec3, World};
 use fixel::raster::{Fill, Sides, draw_triangle};
 use fixel::scene::{Camera, Cull, Meshlet, Placement, Projection};
 use fixel::vertex::{ScreenVertex, transform_meshlet, vertex};
@@ -178,8 +178,9 @@ fn check(case: &View, counts: &mut Counts) -> Result<(), TestCaseError> {
         let placement = Placement {
             position: Vec3::from_bits(actor.position),
             orientation: case.turn.map(Angle::from_bits),
+            scale: Factor::ONE,
         };
-        let mut view = ActorView::new(&frame, &scene, &actor, &placement);
+        let mut view = ActorView::new(&frame, &scene, &actor, &placement.into());
         view.material.cull = case.cull;
         let mesh = scene.mesh(actor.mesh);
         for m in mesh.first_meshlet..mesh.first_meshlet + mesh.meshlets {

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use fixed::types::U8F24;
 use fixel::Scene;
-use fixel::math::{Angle, MAX_SCREEN, Vec3, World, reciprocal};
+use fixel::math::{Angle, Factor, MAX_SCREEN, Vec3, World, reciprocal};
 use fixel::scene::{Actor, Camera, Meshlet, Placement, Projection};
 use fixel::vertex::{ClipVertex, project};
 use fixel::view::{ActorView, MeshletRows, ViewFrame};
@@ -157,6 +157,8 @@ fn case() -> impl Strategy<Value = Case> {
                         offset,
                         step_mantissa: mantissa,
                         step_exponent: exponent,
+                        parent: None,
+                        still: false,
                     },
                     meshlets: [one, other],
                     point,
@@ -213,8 +215,9 @@ fn view(scene: &Scene<'_>, case: &Case) -> ActorView {
     let placement = Placement {
         position: Vec3::from_bits(case.actor.position),
         orientation: case.actor.orientation.map(Angle::from_bits),
+        scale: Factor::ONE,
     };
-    ActorView::new(&frame, scene, &case.actor, &placement)
+    ActorView::new(&frame, scene, &case.actor, &placement.into())
 }
 
 fn check(case: &Case) -> Result<(), TestCaseError> {

@@ -9,7 +9,9 @@ use crate::instance::instances;
 use crate::mesh::{Parts, Source};
 use crate::not_yet;
 use crate::palette::tables;
+use crate::placement::placed;
 use crate::records::{actors, header, light, material};
+use crate::track::tracks;
 use crate::units::Units;
 use crate::viewport::viewports;
 
@@ -72,12 +74,13 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
     at_most("lights with a direction", scene.lights.len(), LIGHTS)?;
     let units = Units::new(scene);
     let tables = tables(scene);
-    let (instances, uses) = instances(scene);
+    let placed = placed(scene)?;
+    let (instances, uses) = instances(scene, &placed);
     let mut parts = Parts::default();
     for instance in &instances {
         parts.add_mesh(instance, &scene.meshes[instance.mesh])?;
     }
-    let actors = actors(scene, &units, &instances, &uses, &parts.grids)?;
+    let actors = actors(scene, &units, &placed, &instances, &uses, &parts.grids)?;
     let lights = scene
         .lights
         .iter()
@@ -90,6 +93,7 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
         .map(|(m, path)| material(scene, *path, m))
         .collect::<Vec<_>>();
 
+    let (tracks, keys) = tracks(scene, &units, &placed)?;
     let words = |records: &[u8]| records.to_vec();
     let sections: [(Vec<u8>, usize); SECTIONS] = [
         (words(tables.palette.as_flattened()), tables.palette.len()),
@@ -113,6 +117,8 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
         (words(parts.fine.as_flattened()), parts.fine.len()),
         records(&viewports(scene, &units, &tables.viewport_backgrounds)?),
         flat_bytes(&tables.viewport_backgrounds),
+        records(&tracks),
+        records(&keys),
     ];
     let words = assemble(header(scene, &units)?, &sections)?;
     Ok(Baked {

@@ -19,6 +19,11 @@ pub enum BakeError {
         /// What, and where.
         what: String,
     },
+    /// An actor that turns within a space that is not even.
+    Turns {
+        /// Its name.
+        actor: String,
+    },
     /// A number that the format cannot hold.
     Range {
         /// Which, and where.
@@ -35,6 +40,13 @@ impl fmt::Display for BakeError {
                 write!(f, "{found} {what}, at most {most} can be baked")
             }
             Self::NotYet { what } => write!(f, "{what} is not supported yet"),
+            Self::Turns { actor } => write!(
+                f,
+                "actor `{actor}` turns (by key frames or the turntable) inside its own matrix \
+                 or its parent's uneven scale, shear or reflection, which would bend its mesh \
+                 anew in each frame; expected the uneven part on the actor itself as scale or \
+                 shear, or a matrix that only turns on a parent"
+            ),
             Self::Range { what, value } => write!(f, "{what} is {value}, out of range"),
         }
     }

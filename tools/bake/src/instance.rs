@@ -2,16 +2,18 @@
 //! moving and scaling evenly is done here, so that the core deals with
 //! similarities only (and a normal stays a normal).
 
-use fixel_scene::{Actor, Mesh, Scene, Shading};
-use glam::DVec3;
+use fixel_scene::{Mesh, Scene, Shading};
+use glam::{DMat3, DVec3};
 
-/// A mesh with an uneven scale or a reflection worked in.
+use crate::placement::Placed;
+
+/// A mesh with an uneven scale, a shear or a reflection worked in.
 #[derive(Clone, Debug)]
 pub(crate) struct Instance {
     /// Index into the description's meshes.
     pub mesh: usize,
     /// Worked into the positions.
-    pub scale: DVec3,
+    pub linear: DMat3,
     /// Whether some actor is shaded flat.
     pub flat: bool,
     /// Whether some actor is shaded from vertex normals.
@@ -19,24 +21,25 @@ pub(crate) struct Instance {
 }
 
 impl Instance {
-    /// Positions with the scale worked in.
+    /// Positions with the linear part worked in.
     pub(crate) fn positions(&self, mesh: &Mesh) -> Vec<DVec3> {
         mesh.positions
             .iter()
-            .map(|p| DVec3::from(*p) * self.scale)
+            .map(|p| self.linear * DVec3::from(*p))
             .collect()
     }
 
-    /// Normals under the inverse transpose of the scale, length 1.
+    /// Normals under the inverse transpose of the linear part, length 1.
     pub(crate) fn normals(&self, mesh: &Mesh) -> Vec<DVec3> {
-        let turn = |n: &[f64; 3]| (DVec3::from(*n) / self.scale).normalize_or_zero();
+        let inverse = self.linear.inverse().transpose();
+        let turn = |n: &[f64; 3]| (inverse * DVec3::from(*n)).normalize_or_zero();
         // A reflection keeps normals outward: the inverse transpose does so.
         mesh.normals.iter().map(turn).collect()
     }
 
     /// Corners of a triangle, outward also after a reflection.
     pub(crate) fn corners(&self, [a, b, c]: [u32; 3]) -> [u32; 3] {
-        if self.scale.x * self.scale.y * self.scale.z < 0.0 {
+        if self.linear.determinant() < 0.0 {
             [a, c, b]
         } else {
             [a, b, c]
@@ -44,31 +47,31 @@ impl Instance {
     }
 }
 
-/// The part of an actor's scale that its mesh must have worked in, and the even
+/// The part of an actor's own map that its mesh must have worked in, and the even
 /// factor that is left.
-fn split_scale(actor: &Actor) -> (DVec3, f64) {
-    let scale = DVec3::from(actor.scale);
-    if scale.x == scale.y && scale.y == scale.z && scale.x > 0.0 {
-        (DVec3::ONE, scale.x)
+fn split_scale(linear: DMat3) -> (DMat3, f64) {
+    let factor = linear.x_axis.x;
+    if factor > 0.0 && linear == DMat3::from_diagonal(DVec3::splat(factor)) {
+        (DMat3::IDENTITY, factor)
     } else {
-        (scale, 1.0)
+        (linear, 1.0)
     }
 }
 
 /// The instances that a scene needs, those with face normals first, and for
 /// each actor its instance and even factor.
-pub(crate) fn instances(scene: &Scene) -> (Vec<Instance>, Vec<(usize, f64)>) {
+pub(crate) fn instances(scene: &Scene, placed: &[Placed]) -> (Vec<Instance>, Vec<(usize, f64)>) {
     let mut instances: Vec<Instance> = Vec::new();
     let mut uses = Vec::new();
-    for actor in &scene.actors {
-        let (scale, factor) = split_scale(actor);
+    for (actor, placed) in scene.actors.iter().zip(placed) {
+        let (linear, factor) = split_scale(placed.linear);
         let found = instances
             .iter()
-            .position(|i| i.mesh == actor.mesh && i.scale == scale);
+            .position(|i| i.mesh == actor.mesh && i.linear == linear);
         let which = found.unwrap_or_else(|| {
             instances.push(Instance {
                 mesh: actor.mesh,
-                scale,
+                linear,
                 flat: false,
                 smooth: false,
             });

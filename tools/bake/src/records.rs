@@ -12,6 +12,7 @@ use crate::BakeError;
 use crate::grid::Grid;
 use crate::instance::Instance;
 use crate::palette::{Path, ambient_level};
+use crate::placement::Placed;
 use crate::units::{Units, mantissa_exponent, turns, unit_q30};
 
 pub(crate) fn header(scene: &Scene, units: &Units) -> Result<Header, BakeError> {
@@ -34,6 +35,7 @@ pub(crate) fn header(scene: &Scene, units: &Units) -> Result<Header, BakeError> 
         world_centre: units.centre,
         centre_exponent: units.centre_exponent as i8,
         turntable: scene.animation.turntable.unwrap_or(0),
+        frames: scene.animation.frames.unwrap_or(0),
         position: camera.position,
         focal_point: camera.focal_point,
         view_up: camera.view_up,
@@ -51,9 +53,9 @@ pub(crate) fn camera(camera: &Camera, units: &Units) -> Result<CameraRecord, Bak
         DVec3::from(camera.focal_point),
         DVec3::from(camera.position),
     );
-    // Only the direction to the focal point counts: it comes as near as the scene.
+    // A focal point far from the scene, which can only be a direction, comes nearer.
     let sight = focus - eye;
-    let longest = f64::exp2(f64::from(13 - units.exponent));
+    let longest = f64::exp2(f64::from(14 - units.exponent));
     if sight.length() > longest {
         focus = eye + sight.normalize_or_zero() * longest;
     }
@@ -156,18 +158,20 @@ pub(crate) fn material(scene: &Scene, path: Path, material: &Material) -> core_s
     }
 }
 
+/// An actor, where it is, and its instance and even factor.
+type Whole<'a> = (&'a fixel_scene::Actor, &'a Placed, &'a (usize, f64));
+
 pub(crate) fn actors(
     scene: &Scene,
     units: &Units,
+    placed: &[Placed],
     instances: &[Instance],
     uses: &[(usize, f64)],
     grids: &[Grid],
 ) -> Result<Vec<core_scene::Actor>, BakeError> {
-    let actor = |(actor, (which, factor)): (&fixel_scene::Actor, &(usize, f64))| {
+    let actor = |(actor, placed, (which, factor)): Whole<'_>| {
         let (instance, grid) = (&instances[*which], &grids[*which]);
-        let origin = DVec3::from(actor.origin);
-        let pivot = DVec3::from(actor.position) + origin;
-        let offset = (grid.centre - origin * instance.scale) * *factor;
+        let offset = (grid.centre - instance.linear * DVec3::from(actor.origin)) * *factor;
         let name = &actor.name;
         let step = factor * f64::exp2(f64::from(units.exponent - grid.exponent));
         let (step_mantissa, step_exponent) = mantissa_exponent(step);
@@ -181,12 +185,15 @@ pub(crate) fn actors(
         Ok(core_scene::Actor {
             mesh: *which as u16,
             material: actor.material as u16,
-            position: units.place(&format!("actor `{name}`: position"), pivot)?,
-            orientation: actor.orientation.map(turns),
+            position: placed.position(units, actor, actor.position)?,
+            orientation: placed.orientation.map(turns),
             offset: units.vector(&format!("actor `{name}`: origin"), offset)?,
             step_mantissa,
             step_exponent,
+            parent: actor.parent.map(|parent| parent as u16),
+            still: actor.still,
         })
     };
-    scene.actors.iter().zip(uses).map(actor).collect()
+    let whole = scene.actors.iter().zip(placed).zip(uses);
+    whole.map(|((a, p), u)| actor((a, p, u))).collect()
 }

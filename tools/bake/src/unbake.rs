@@ -7,23 +7,20 @@
 use fixel::Scene as Blob;
 use fixel::scene as core_scene;
 use fixel_scene::{
-    Actor, Animation, Aspect, Background, Camera, ColourFormat, Cull, Display, Light, LightKind,
-    Look, Material, Mesh, Palette, Projection, Rgb, Scene, Shading, Viewport,
+    Aspect, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Material, Mesh,
+    Palette, Projection, Rgb, Scene, Shading, Viewport,
 };
-use glam::DVec3;
 
 use crate::normal;
+use motion::Places;
+
+mod motion;
 
 /// The description of a baked scene.
 pub fn unbake(blob: &Blob<'_>) -> Scene {
     let header = blob.header();
-    let scene_unit = f64::exp2(-f64::from(header.world_exponent));
-    let length = |bits: i32| f64::from(bits) * scene_unit / 65536.0;
-    let vector = |bits: [i32; 3]| DVec3::from(bits.map(length));
-    let centre = DVec3::from(header.world_centre.map(f64::from))
-        * f64::exp2(f64::from(header.centre_exponent));
-    let point = |bits: [i32; 3]| (centre + vector(bits)).to_array();
-    let camera = camera(&header.camera(), scene_unit, centre);
+    let places = Places::of(blob);
+    let camera = camera(&header.camera(), &places);
     let colours = |index: u8| colour(blob, index);
     let rows = blob.height();
     let ends = [0, rows.saturating_sub(1)].map(|y| colours(blob.background(y, rows)));
@@ -39,7 +36,7 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
         },
         camera,
         viewports: viewports
-            .map(|number| viewport(blob, number, scene_unit, centre))
+            .map(|number| viewport(blob, number, &places))
             .collect(),
         ambient: [1.0; 3],
         lights: blob.lights().map(|l| light(&l)).collect(),
@@ -53,33 +50,8 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
             })
             .collect(),
         meshes: (0..blob.mesh_count()).map(|i| mesh(blob, i)).collect(),
-        actors: (0..blob.actor_count())
-            .map(|i| {
-                let actor = blob.actor(i);
-                let step = f64::from(actor.step_mantissa)
-                    * f64::exp2(f64::from(actor.step_exponent - 31))
-                    * scene_unit;
-                // A grid point q goes to position + R (offset + step q): scaled
-                // about the point whose distance to the grid's centre that is.
-                let origin = vector(actor.offset) / -step;
-                Actor {
-                    name: format!("actor {}", i + 1),
-                    mesh: actor.mesh.into(),
-                    material: actor.material.into(),
-                    origin: origin.to_array(),
-                    position: (DVec3::from(point(actor.position)) - origin).to_array(),
-                    orientation: actor
-                        .orientation
-                        .map(|a| f64::from(a) * 360.0 / f64::exp2(32.0)),
-                    scale: [step; 3],
-                    look: Look::default(),
-                    still: false,
-                }
-            })
-            .collect(),
-        animation: Animation {
-            turntable: (header.turntable != 0).then_some(header.turntable),
-        },
+        actors: motion::actors(blob, &places),
+        animation: motion::animation(blob, &places),
         palette: Palette {
             colours: blob.palette().len() as u32,
             fixed: blob.palette().to_vec(),
@@ -88,9 +60,9 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
     }
 }
 
-fn camera(record: &core_scene::CameraRecord, scene_unit: f64, centre: DVec3) -> Camera {
-    let length = |bits: i32| f64::from(bits) * scene_unit / 65536.0;
-    let point = |bits: [i32; 3]| (centre + DVec3::from(bits.map(length))).to_array();
+fn camera(record: &core_scene::CameraRecord, places: &Places) -> Camera {
+    let length = |bits: i32| places.length(bits);
+    let point = |bits: [i32; 3]| places.point(bits).to_array();
     Camera {
         position: point(record.position),
         focal_point: point(record.focal_point),
@@ -110,7 +82,7 @@ fn camera(record: &core_scene::CameraRecord, scene_unit: f64, centre: DVec3) -> 
     }
 }
 
-fn viewport(blob: &Blob<'_>, number: u16, scene_unit: f64, centre: DVec3) -> Viewport {
+fn viewport(blob: &Blob<'_>, number: u16, places: &Places) -> Viewport {
     let record = blob.viewport(number);
     let [left, top, right, bottom] = record
         .sides
@@ -120,7 +92,7 @@ fn viewport(blob: &Blob<'_>, number: u16, scene_unit: f64, centre: DVec3) -> Vie
     let ends = [0, rows.saturating_sub(1)].map(|y| colour(blob, gradient.at(y, rows)));
     Viewport {
         rectangle: [left, 1.0 - bottom, right - left, bottom - top],
-        camera: record.camera.map(|c| camera(&c, scene_unit, centre)),
+        camera: record.camera.map(|c| camera(&c, places)),
         background: (record.background.1 != 0).then(|| background(ends)),
         aspect: if record.stretch {
             Aspect::Stretch

@@ -1,6 +1,6 @@
 //! Scene units to world units, and numbers to the blob's formats.
 
-use fixel_scene::{Actor, Camera, Mesh, Projection, Scene};
+use fixel_scene::{Camera, Projection, Reach, Scene};
 use glam::DVec3;
 
 use crate::BakeError;
@@ -26,13 +26,12 @@ impl Units {
     pub(crate) fn new(scene: &Scene) -> Self {
         let own = scene.viewports.iter().filter_map(|v| v.camera.as_ref());
         let cameras: Vec<&Camera> = own.chain([&scene.camera]).collect();
-        let spheres = scene
-            .actors
-            .iter()
-            .map(|a| actor_sphere(a, &scene.meshes[a.mesh]));
-        let spheres: Vec<(DVec3, f64)> = spheres
-            .chain(cameras.iter().map(|c| (DVec3::from(c.position), 0.0)))
-            .collect();
+        let reach = Reach::of(scene);
+        let actors = reach.actors.iter().map(|(c, r)| (DVec3::from(*c), *r));
+        let views = reach.views.iter().copied();
+        let views = views.chain(cameras.iter().map(|camera| camera.position));
+        let views = views.map(|view| (DVec3::from(view), 0.0));
+        let spheres: Vec<(DVec3, f64)> = actors.chain(views).collect();
         let low = spheres
             .iter()
             .map(|(c, r)| *c - *r)
@@ -113,14 +112,6 @@ impl Units {
             self.length(what, point.z)?,
         ])
     }
-}
-
-/// All places that an actor can take, however turned.
-fn actor_sphere(actor: &Actor, mesh: &Mesh) -> (DVec3, f64) {
-    let (origin, scale) = (DVec3::from(actor.origin), DVec3::from(actor.scale));
-    let reach = |p: &[f64; 3]| ((DVec3::from(*p) - origin) * scale).length();
-    let radius = mesh.positions.iter().map(reach).fold(0.0, f64::max);
-    (DVec3::from(actor.position) + origin, radius)
 }
 
 /// Degrees in 2^-32 turns, rounded to nearest.

@@ -163,7 +163,7 @@ fn place(
 ) {
     let mesh: &Mesh = &scene.meshes[actor.mesh];
     let material = &scene.materials[actor.material];
-    let matrix = actor_matrix(actor, &scene.animation, frame);
+    let matrix = actor_matrix(scene, index, frame);
     let mirrored = matrix.determinant() < 0.0;
     let to_world = |p: &[f64; 3]| matrix.transform_point3(DVec3::from(*p));
     let inverse_transpose = DMat3::from_mat4(matrix).inverse().transpose();

@@ -11,6 +11,7 @@
 //! the accuracy tests.
 
 mod bvh;
+mod camera;
 mod compare;
 mod frame;
 mod geometry;
@@ -21,10 +22,12 @@ mod model;
 mod ray;
 mod render;
 mod report;
+mod track;
 mod truth;
 mod view;
 mod window;
 
+pub use camera::camera_at;
 pub use compare::compare;
 pub use frame::{COLOURS, Frame, FrameError, Lookup, NO_TRIANGLE, Path};
 pub use model::actor_matrix;

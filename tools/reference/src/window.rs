@@ -1,5 +1,6 @@
 //! The parts of a picture that have cameras of their own.
 
+use crate::camera::camera_at;
 use crate::geometry::Geometry;
 use crate::view::View;
 use fixel_scene::{Aspect, Background, Camera, Rgb, Scene, Viewport};
@@ -29,6 +30,7 @@ impl Window {
             [] => &whole[..],
             viewports => viewports,
         };
+        let moved = camera_at(scene, frame);
         let window = |viewport: &Viewport| {
             let [x, y, w, h] = viewport.rectangle;
             let ([left, right], [top, bottom]) = (
@@ -40,7 +42,7 @@ impl Window {
                 Aspect::Keep => f64::from(size[0]) / f64::from(size[1]),
                 Aspect::Stretch => f64::from(width) / f64::from(height),
             };
-            let camera: &Camera = viewport.camera.as_ref().unwrap_or(&scene.camera);
+            let camera: &Camera = viewport.camera.as_ref().unwrap_or(&moved);
             let view = View::shaped(camera, size, shape);
             Self {
                 corner: [left, top],

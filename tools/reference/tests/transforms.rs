@@ -4,14 +4,14 @@ mod common;
 
 use common::*;
 use fixel_reference::{View, actor_matrix};
-use fixel_scene::{Actor, Animation, Camera, Projection, Shading};
+use fixel_scene::{Actor, Camera, Projection, Shading};
 use glam::DVec3;
 
 fn place(change: impl FnOnce(&mut Actor), point: [f64; 3]) -> DVec3 {
     let mut scene = parallel(1, 1);
     let actor = add(&mut scene, mesh(&[]));
     change(actor);
-    actor_matrix(actor, &Animation::default(), 0).transform_point3(point.into())
+    actor_matrix(&scene, 0, 0).transform_point3(point.into())
 }
 
 fn close(found: DVec3, wanted: [f64; 3]) {

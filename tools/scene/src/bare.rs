@@ -10,7 +10,6 @@ use crate::description::{
 };
 use crate::error::Error;
 use crate::framing::{self, Bounds};
-use crate::look::Look;
 use crate::mesh;
 
 /// Degrees from the front towards the mesh's right, and upwards.
@@ -29,14 +28,7 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
     let meshes = vec![loaded.mesh];
     let actors = vec![Actor {
         name: meshes[0].name.clone(),
-        mesh: 0,
-        material: 0,
-        origin: [0.0; 3],
-        position: [0.0; 3],
-        orientation: [0.0; 3],
-        scale: [1.0; 3],
-        look: Look::default(),
-        still: false,
+        ..Actor::default()
     }];
     let display = Display {
         width: 320,
@@ -44,13 +36,13 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
         colour: ColourFormat::Rgb565,
         background: Background::Solid(BACKGROUND.map(|channel| f64::from(channel) / 255.0)),
     };
-    let bounds = Bounds::of(&actors, &meshes, None);
+    let bounds = Bounds::of(&actors, &meshes, &Animation::default());
     let (sin, cos) = libm::sincos(AZIMUTH.to_radians());
     let (up, along) = libm::sincos(ELEVATION.to_radians());
     let from = DVec3::new(sin * along, up, cos * along);
     let aspect = f64::from(display.width) / f64::from(display.height);
     let mut camera = framing::frame(&bounds, from, VIEW_ANGLE, aspect);
-    camera.clipping_range = framing::clipping_range(&camera, &bounds);
+    camera.clipping_range = framing::clipping_range(&[camera], &bounds);
     let right = DVec3::Y.cross(from).normalize();
     let above = from.cross(right);
     Ok(Scene {

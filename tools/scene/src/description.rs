@@ -307,9 +307,10 @@ pub struct Mesh {
     pub sphere: Option<f64>,
 }
 
-/// A mesh placed in the world: a point goes to `origin`, is scaled, turned
-/// about y, then x, then z, taken back and moved to `position`:
-/// `T(position) T(origin) Rz Rx Ry S T(-origin)`.
+/// A mesh placed in its parent's space, or in the world: a point goes to `origin`,
+/// is scaled, sheared, turned about y, then x, then z, taken back, moved to
+/// `position` and goes through `matrix`; then the same through the parent's:
+/// `M T(position) T(origin) Rz Rx Ry H S T(-origin)`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Actor {
     /// Its name in the file, or made from its index.
@@ -327,18 +328,124 @@ pub struct Actor {
     /// Factors along x, y, z; not 0, may be negative (a reflection keeps the
     /// faces' outer side outward).
     pub scale: [f64; 3],
+    /// What is added: y and z times these to x, x and z to y, x and y to z. All
+    /// at once, from the scaled point. The whole can be inverted.
+    pub shear: [f64; 6],
+    /// Rows of a matrix that can be inverted; the last is 0, 0, 0, 1.
+    pub matrix: [[f64; 4]; 4],
+    /// Index of the actor whose own way to the world comes after this one's; no
+    /// actor is among its own ancestors.
+    pub parent: Option<usize>,
     /// What of it is drawn, and how.
     pub look: Look,
     /// A turntable leaves it where it is.
     pub still: bool,
 }
 
+/// The matrix that leaves everything in place.
+pub const IDENTITY: [[f64; 4]; 4] = [
+    [1.0, 0.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0, 0.0],
+    [0.0, 0.0, 1.0, 0.0],
+    [0.0, 0.0, 0.0, 1.0],
+];
+
+impl Default for Actor {
+    /// The first mesh, in the first material, as it is.
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            mesh: 0,
+            material: 0,
+            origin: [0.0; 3],
+            position: [0.0; 3],
+            orientation: [0.0; 3],
+            scale: [1.0; 3],
+            shear: [0.0; 6],
+            matrix: IDENTITY,
+            parent: None,
+            look: Look::default(),
+            still: false,
+        }
+    }
+}
+
 /// What moves from frame to frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Animation {
-    /// Frames in one turn of every actor about its own y axis, if it turns:
-    /// frame `n` adds `360 * n / turntable` degrees to `orientation[1]`.
+    /// Frames in one turn of every actor without a parent about its own y axis, if
+    /// they turn: frame `n` adds `360 * n / turntable` degrees to `orientation[1]`.
     pub turntable: Option<u32>,
+    /// Frames after which the tracks start again: frame `n` is theirs `n % frames`.
+    pub frames: Option<u32>,
+    /// Key frames. Those of the camera are applied in the order of their
+    /// quantities.
+    pub tracks: Vec<Track>,
+}
+
+/// One quantity of one thing over time: linear between the keys, the first one's
+/// value before them, the last one's after them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Track {
+    /// What moves.
+    pub target: Target,
+    /// What of it.
+    pub quantity: Quantity,
+    /// At least one, by frame; no two at one.
+    pub keys: Vec<Key>,
+}
+
+/// What a track moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Target {
+    /// An actor, by its index.
+    Actor(usize),
+    /// The camera.
+    Camera,
+}
+
+/// What of it a track moves. The camera's are turns and factors beside what
+/// `[camera]` says; VTK's words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Quantity {
+    /// An actor's or the camera's position.
+    Position,
+    /// The camera's focal point.
+    FocalPoint,
+    /// An actor's angles, in degrees.
+    Orientation,
+    /// A factor of an actor's scale, of its children's with it.
+    Scale,
+    /// The eye turns about the focal point, round the view-up vector; degrees.
+    Azimuth,
+    /// The eye turns about the focal point, round the picture's horizontal, up;
+    /// degrees.
+    Elevation,
+    /// The view-up vector turns round the line of sight; degrees.
+    Roll,
+    /// The distance from the eye to the focal point is divided by this.
+    Dolly,
+    /// The view angle, or the parallel scale, is divided by this.
+    Zoom,
+    /// Eye and focal point move so far to the right and up, in the picture's plane.
+    Pan,
+}
+
+/// A track's value in one frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Key {
+    /// The frame.
+    pub frame: u32,
+    /// The value; of a single number, the first.
+    pub value: [f64; 3],
+}
+
+impl Animation {
+    /// Frames after which everything starts again: of the tracks, or of the
+    /// turntable.
+    pub fn length(&self) -> Option<u32> {
+        self.frames.or(self.turntable)
+    }
 }
 
 /// How the palette is made, and how colours find their entry.

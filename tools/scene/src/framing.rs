@@ -4,8 +4,9 @@
 
 use glam::DVec3;
 
-use crate::description::{Actor, Camera, Mesh, Projection};
+use crate::description::{Actor, Animation, Camera, Mesh, Projection, Target};
 use crate::look::Space;
+use crate::motion::{self, Instant};
 
 /// Around all actors, in world space.
 #[derive(Clone, Debug)]
@@ -17,32 +18,34 @@ pub(crate) struct Bounds {
     spheres: Vec<(DVec3, f64)>,
 }
 
-/// Angles of a turntable at which its bounds are looked at. The box of a
-/// turning box between two of them is larger by less than 1 in 1000.
-const TURNTABLE_STEPS: u32 = 64;
-
 impl Bounds {
     /// The bounds of actors, of which each has a mesh with vertices.
-    pub fn of(actors: &[Actor], meshes: &[Mesh], turntable: Option<u32>) -> Self {
+    pub fn of(actors: &[Actor], meshes: &[Mesh], animation: &Animation) -> Self {
+        let instants = Instant::all(animation);
+        let moves = instants.len() > 1;
         let mut spheres = Vec::new();
         let mut corners = Vec::new();
-        let in_world = |actor: &&Actor| actor.look.space == Space::World;
-        for actor in actors.iter().filter(in_world) {
+        for (index, actor) in actors.iter().enumerate() {
+            if actor.look.space != Space::World {
+                continue;
+            }
             let Some(mesh) = meshes.get(actor.mesh) else {
                 continue;
             };
             let local = box_corners(&mesh.positions);
             let before = corners.len();
-            let turntable = turntable.filter(|_| !actor.still);
-            for step in 0..turntable.map_or(1, |_| TURNTABLE_STEPS) {
-                let turn = 360.0 * f64::from(step) / f64::from(TURNTABLE_STEPS);
-                corners.extend(local.map(|corner| place(actor, turn, corner)));
+            for instant in &instants {
+                let place = |corner| motion::place(actors, animation, instant, index, corner);
+                corners.extend(local.map(place));
             }
             // The point that turning leaves in place.
             let pivot = DVec3::from(actor.origin) + DVec3::from(actor.position);
-            let around = match turntable {
-                Some(_) => pivot,
-                None => middle(&corners[before..]),
+            let plain = actor.parent.is_none() && actor.matrix == crate::IDENTITY;
+            let mut tracked = animation.tracks.iter();
+            let around = if moves && plain && !tracked.any(|t| t.target == Target::Actor(index)) {
+                pivot
+            } else {
+                middle(&corners[before..])
             };
             spheres.push((around, farthest(around, &corners[before..])));
         }
@@ -50,15 +53,21 @@ impl Bounds {
         let centre = (low + high) / 2.0;
         // VTK's radius is half the box's diagonal. What turns needs less than
         // half the diagonal of the box around all its frames.
-        let radius = match turntable {
-            Some(_) => farthest(centre, &corners),
-            None => (high - low).length() / 2.0,
+        let radius = if moves {
+            farthest(centre, &corners)
+        } else {
+            (high - low).length() / 2.0
         };
         Self {
             centre,
             radius: if radius > 0.0 { radius } else { 0.5 },
             spheres,
         }
+    }
+
+    /// A sphere around each actor at all frames.
+    pub fn spheres(&self) -> &[(DVec3, f64)] {
+        &self.spheres
     }
 
     /// Bounds around a given middle that hold the same things.
@@ -69,21 +78,6 @@ impl Bounds {
             spheres: self.spheres.clone(),
         }
     }
-}
-
-/// A point of an actor's mesh in world space, with `turn` degrees more about
-/// the actor's own y axis.
-fn place(actor: &Actor, turn: f64, point: DVec3) -> DVec3 {
-    let origin = DVec3::from(actor.origin);
-    let [x, y, z] = actor.orientation;
-    let mut p = (point - origin) * DVec3::from(actor.scale);
-    let (sin, cos) = libm::sincos((y + turn).to_radians());
-    p = DVec3::new(cos * p.x + sin * p.z, p.y, cos * p.z - sin * p.x);
-    let (sin, cos) = libm::sincos(x.to_radians());
-    p = DVec3::new(p.x, cos * p.y - sin * p.z, sin * p.y + cos * p.z);
-    let (sin, cos) = libm::sincos(z.to_radians());
-    p = DVec3::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y, p.z);
-    p + origin + DVec3::from(actor.position)
 }
 
 fn extent(points: &[DVec3]) -> (DVec3, DVec3) {
@@ -145,18 +139,20 @@ pub(crate) fn parallel_scale(bounds: &Bounds, aspect: f64) -> f64 {
     bounds.radius / aspect.min(1.0)
 }
 
-/// Distances before and behind everything that can be seen. What reaches
-/// behind the eye is cut at a hundredth of the far distance, as VTK does for
-/// a depth buffer of 16 bits.
-pub(crate) fn clipping_range(camera: &Camera, bounds: &Bounds) -> [f64; 2] {
+/// Distances before and behind everything that can be seen, from the camera in all
+/// of its places. What reaches behind the eye is cut at a hundredth of the far
+/// distance, as VTK does for a depth buffer of 16 bits.
+pub(crate) fn clipping_range(cameras: &[Camera], bounds: &Bounds) -> [f64; 2] {
     const NEAR_OF_FAR: f64 = 0.01;
-    let position = DVec3::from(camera.position);
-    let sight = (DVec3::from(camera.focal_point) - position).normalize();
     let (mut near, mut far) = (f64::INFINITY, f64::NEG_INFINITY);
-    for (centre, radius) in &bounds.spheres {
-        let depth = (*centre - position).dot(sight);
-        near = near.min(depth - radius);
-        far = far.max(depth + radius);
+    for camera in cameras {
+        let position = DVec3::from(camera.position);
+        let sight = (DVec3::from(camera.focal_point) - position).normalize();
+        for (centre, radius) in &bounds.spheres {
+            let depth = (*centre - position).dot(sight);
+            near = near.min(depth - radius);
+            far = far.max(depth + radius);
+        }
     }
     // VTK widens by half the range either side; the sphere is roomy already,
     // and depth has only 16 bits to share out.

@@ -9,6 +9,7 @@ mod file;
 mod framing;
 mod look;
 mod mesh;
+mod motion;
 mod picture;
 
 use std::path::Path;
@@ -16,6 +17,7 @@ use std::path::Path;
 pub use description::*;
 pub use error::Error;
 pub use look::*;
+pub use motion::Reach;
 
 /// Reads a scene file (`.toml`), or a bare mesh (`.obj`, `.glb`, `.gltf`,
 /// `.stl`, `.ply`), which is framed automatically. Extensions may be in

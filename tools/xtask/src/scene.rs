@@ -19,8 +19,9 @@ pub const BENCH: [&str; 6] = [
 
 /// What every target must draw alike, besides the bench scenes: files in
 /// `scenes/`. Clipping, slivers, a parallel camera and more actors than the
-/// firmware keeps matrices for are among them.
-pub const PARITY: [&str; 9] = [
+/// firmware keeps matrices for are among them; chains of parents, key frames and
+/// camera moves.
+pub const PARITY: [&str; 11] = [
     "teapot",
     "bunny",
     "suzanne",
@@ -30,6 +31,8 @@ pub const PARITY: [&str; 9] = [
     "parallel",
     "many_actors",
     "tiny_128x64",
+    "parents",
+    "keyframes",
 ];
 
 /// Bench scenes that do not draw all of their workload yet, and what is

@@ -145,12 +145,7 @@ pub fn add(scene: &mut Scene, mesh: Mesh) -> &mut Actor {
         name: "actor".into(),
         mesh: scene.meshes.len() - 1,
         material: 0,
-        origin: [0.0; 3],
-        position: [0.0; 3],
-        orientation: [0.0; 3],
-        scale: [1.0; 3],
-        look: fixel_scene::Look::default(),
-        still: false,
+        ..Actor::default()
     });
     scene.actors.last_mut().unwrap()
 }

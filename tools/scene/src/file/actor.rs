@@ -1,9 +1,11 @@
 //! `[[actor]]`.
 
+use glam::DVec3;
+
 use super::annotation::{list_of_places, places};
 use super::look::look;
 use super::table::{Keys, Neutral, Table, to_f64};
-use crate::description::{Actor, Material, Mesh};
+use crate::description::{Actor, IDENTITY, Material, Mesh};
 use crate::error::Error;
 use crate::mesh;
 
@@ -24,13 +26,11 @@ pub(super) const ACTOR: Keys = Keys {
         "line_width",
         "point_size",
         "point_shape",
+        "shear",
+        "matrix",
+        "parent",
     ],
-    later: &[
-        ("shear", Neutral::Zeros),
-        ("matrix", Neutral::Never),
-        ("parent", Neutral::Never),
-        ("billboard", Neutral::Never),
-    ],
+    later: &[("billboard", Neutral::Never)],
 };
 
 /// Where an actor's mesh comes from.
@@ -133,7 +133,105 @@ pub(super) fn actor(
         scale: scale(table)?,
         look: look(table)?,
         still: false,
+        shear: shear(table)?,
+        matrix: matrix(table)?,
+        parent: None,
     })
+}
+
+/// Gives actors their parents, by name: in `tables`, one an actor.
+pub(super) fn parents(tables: &[Table<'_, '_>], actors: &mut [Actor]) -> Result<(), Error> {
+    for (index, table) in tables.iter().enumerate() {
+        let Some(name) = table.text("parent", "arm")? else {
+            continue;
+        };
+        let parent = find(table, "parent", name, actors)?;
+        actors[index].parent = Some(parent);
+        // Those before made no ring: a new one goes through this actor.
+        let mut ring = vec![actors[index].name.as_str()];
+        let mut above = Some(parent);
+        while let Some(next) = above {
+            ring.push(&actors[next].name);
+            if next == index {
+                let ring = ring.join("\" of \"");
+                return Err(table.error(
+                    "parent",
+                    format!("goes round in a ring (\"{ring}\"); expected a chain that ends"),
+                ));
+            }
+            above = actors[next].parent;
+        }
+    }
+    Ok(())
+}
+
+/// An actor by its name.
+pub(super) fn find(
+    table: &Table<'_, '_>,
+    key: &str,
+    name: &str,
+    actors: &[Actor],
+) -> Result<usize, Error> {
+    let found = actors.iter().position(|actor| actor.name == name);
+    found.ok_or_else(|| {
+        table.error(
+            key,
+            format!("no [[actor]] is named \"{name}\"; expected the name of one"),
+        )
+    })
+}
+
+/// Three factors or six; none is no shear.
+fn shear(table: &Table<'_, '_>) -> Result<[f64; 6], Error> {
+    const MOST: f64 = 1000.0;
+    let example = "[0.5, 0, 0] (y to x, z to x, z to y)";
+    let Some(array) = table.array("shear", example)? else {
+        return Ok([0.0; 6]);
+    };
+    if array.len() != 6 {
+        let three = table.numbers::<3>("shear", MOST, example)?;
+        let [xy, xz, yz] = three.unwrap_or_default();
+        return Ok([xy, xz, 0.0, yz, 0.0, 0.0]);
+    }
+    let example = "[0.5, 0, 0, 0, 0, 0] (y, z to x; x, z to y; x, y to z)";
+    let six = table.numbers::<6>("shear", MOST, example)?;
+    let six = six.unwrap_or_default();
+    let [xy, xz, yx, yz, zx, zy] = six;
+    let rows = [[1.0, xy, xz], [yx, 1.0, yz], [zx, zy, 1.0]];
+    if flattens(rows) {
+        let what = "flattens the actor, its determinant is 0";
+        return Err(table.error("shear", format!("{what}; expected e.g. shear = {example}")));
+    }
+    Ok(six)
+}
+
+/// Sixteen numbers, row by row.
+fn matrix(table: &Table<'_, '_>) -> Result<[[f64; 4]; 4], Error> {
+    let example = "[1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]";
+    let Some(numbers) = table.numbers::<16>("matrix", super::LENGTH, example)? else {
+        return Ok(IDENTITY);
+    };
+    let mut rows = IDENTITY;
+    rows.as_flattened_mut().copy_from_slice(&numbers);
+    let [x, y, z, last] = rows;
+    let what = if last != IDENTITY[3] {
+        "the last four numbers are not 0, 0, 0, 1 (a perspective belongs to the camera)"
+    } else if flattens([x, y, z].map(|[a, b, c, _]| [a, b, c])) {
+        "flattens the actor, its determinant is 0"
+    } else {
+        return Ok(rows);
+    };
+    Err(table.error(
+        "matrix",
+        format!("{what}; expected e.g. matrix = {example}"),
+    ))
+}
+
+/// Whether a matrix cannot be inverted, or hardly.
+fn flattens(rows: [[f64; 3]; 3]) -> bool {
+    let [x, y, z] = rows.map(DVec3::from);
+    let sizes = x.length() * y.length() * z.length();
+    x.cross(y).dot(z).abs() <= sizes * 1e-9
 }
 
 /// The material by name; the first one if the actor names none.

@@ -78,27 +78,13 @@ pub(super) fn annotations(
                 mesh: meshes.len(),
                 material: unlit(materials, paint),
                 look,
-                ..still()
+                still: true,
+                ..Actor::default()
             });
             meshes.push(Mesh { name, ..mesh });
         }
     }
     Ok(())
-}
-
-/// Where it is, whatever turns.
-fn still() -> Actor {
-    Actor {
-        name: String::new(),
-        mesh: 0,
-        material: 0,
-        origin: [0.0; 3],
-        position: [0.0; 3],
-        orientation: [0.0; 3],
-        scale: [1.0; 3],
-        look: Look::default(),
-        still: true,
-    }
 }
 
 /// The material that shines in a colour, made if there is none.

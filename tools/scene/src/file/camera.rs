@@ -3,9 +3,10 @@
 use glam::DVec3;
 
 use super::table::{Keys, Neutral, Table};
-use crate::description::{Camera, Projection};
+use crate::description::{Animation, Camera, Projection, Quantity};
 use crate::error::Error;
 use crate::framing::{self, Bounds};
+use crate::motion;
 
 pub(super) const CAMERA: Keys = Keys {
     known: &[
@@ -16,15 +17,14 @@ pub(super) const CAMERA: Keys = Keys {
         "projection",
         "parallel_scale",
         "clipping_range",
+        "azimuth",
+        "elevation",
+        "roll",
+        "dolly",
+        "zoom",
+        "pan",
     ],
-    later: &[
-        ("azimuth", Neutral::Number(0.0)),
-        ("elevation", Neutral::Number(0.0)),
-        ("roll", Neutral::Number(0.0)),
-        ("zoom", Neutral::Number(1.0)),
-        ("dolly", Neutral::Number(1.0)),
-        ("stereo", Neutral::Text("none")),
-    ],
+    later: &[("stereo", Neutral::Text("none"))],
 };
 
 /// VTK's.
@@ -41,10 +41,15 @@ pub(super) fn camera(
     table: Option<&Table<'_, '_>>,
     bounds: &Bounds,
     aspect: f64,
+    animation: &Animation,
 ) -> Result<Camera, Error> {
+    let range = |camera: &Camera| {
+        let cameras = motion::cameras(camera, animation);
+        framing::clipping_range(&cameras, bounds)
+    };
     let Some(table) = table else {
         let mut camera = framing::frame(bounds, DVec3::Z, VIEW_ANGLE, aspect);
-        camera.clipping_range = framing::clipping_range(&camera, bounds);
+        camera.clipping_range = range(&camera);
         return Ok(camera);
     };
     let kinds = [
@@ -83,11 +88,47 @@ pub(super) fn camera(
         camera.view_up = view_up;
     }
     check_directions(table, &camera)?;
+    for (key, quantity) in MOVES {
+        if let Some(number) = move_number(table, key, quantity)? {
+            camera = motion::moved(camera, quantity, [number; 3]);
+        }
+    }
+    if let Some([right, up]) = pan(table)? {
+        camera = motion::moved(camera, Quantity::Pan, [right, up, 0.0]);
+    }
+    check_directions(table, &camera)?;
     camera.clipping_range = match clipping_range(table, kind)? {
         Some(range) => range,
-        None => framing::clipping_range(&camera, bounds),
+        None => range(&camera),
     };
     Ok(camera)
+}
+
+/// The camera's moves, in the order in which they are made; then [`pan`].
+pub(super) const MOVES: [(&str, Quantity); 5] = [
+    ("azimuth", Quantity::Azimuth),
+    ("elevation", Quantity::Elevation),
+    ("roll", Quantity::Roll),
+    ("dolly", Quantity::Dolly),
+    ("zoom", Quantity::Zoom),
+];
+
+/// How far a move goes: degrees, or a factor.
+pub(super) fn move_number(
+    table: &Table<'_, '_>,
+    key: &str,
+    quantity: Quantity,
+) -> Result<Option<f64>, Error> {
+    let range = match quantity {
+        Quantity::Dolly | Quantity::Zoom | Quantity::Scale => super::SCALE,
+        _ => -super::TURNS..=super::TURNS,
+    };
+    table.number(key, range)
+}
+
+/// How far the camera goes to the right and up.
+pub(super) fn pan(table: &Table<'_, '_>) -> Result<Option<[f64; 2]>, Error> {
+    table.numbers("pan", super::LENGTH, "[1, 0.5]")
 }
 
 /// The three directions of the view must exist.

@@ -1,9 +1,9 @@
-//! `[display]` and `[animation]`.
+//! `[display]`.
 
 use super::colour;
 use super::panel::PANELS;
 use super::table::{Keys, Neutral, Table};
-use crate::description::{Animation, Background, ColourFormat, Display};
+use crate::description::{Background, ColourFormat, Display};
 use crate::error::Error;
 
 pub(super) const DISPLAY: Keys = Keys {
@@ -11,20 +11,6 @@ pub(super) const DISPLAY: Keys = Keys {
     later: &[
         ("antialiasing", Neutral::Text("none")),
         ("stereo", Neutral::Text("none")),
-    ],
-};
-
-pub(super) const ANIMATION: Keys = Keys {
-    known: &["turntable"],
-    later: &[
-        ("frames", Neutral::Never),
-        ("key", Neutral::Never),
-        ("keys", Neutral::Never),
-        ("keyframe", Neutral::Never),
-        ("keyframes", Neutral::Never),
-        ("key_frames", Neutral::Never),
-        ("palette_cycle", Neutral::Never),
-        ("palette_cycling", Neutral::Never),
     ],
 };
 
@@ -77,10 +63,4 @@ pub(super) fn display(table: Option<&Table<'_, '_>>) -> Result<Display, Error> {
         display.background = background;
     }
     Ok(display)
-}
-
-/// What moves; nothing by default.
-pub(super) fn animation(table: Option<&Table<'_, '_>>) -> Result<Animation, Error> {
-    let turntable = table.map_or(Ok(None), |table| table.whole("turntable", 1..=100_000))?;
-    Ok(Animation { turntable })
 }

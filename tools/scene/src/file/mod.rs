@@ -2,6 +2,7 @@
 //! in, or the first mistake with its line. Used by [`crate::load`].
 
 mod actor;
+mod animation;
 mod annotation;
 mod camera;
 mod colour;
@@ -37,6 +38,11 @@ const ANGLE: f64 = 1e6;
 /// Sizes of factors that must not be 0.
 const FACTOR: RangeInclusive<f64> = 1e-6..=1e6;
 
+/// Factors of size that move.
+const SCALE: RangeInclusive<f64> = 0.001..=100.0;
+/// Angles that move stay within this many degrees, either side of 0: 100 turns.
+const TURNS: f64 = 36000.0;
+
 const ROOT: Keys = Keys {
     known: &[
         "display",
@@ -67,8 +73,6 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
 
     let display = one(&root, "display", &display::DISPLAY)?;
     let display = display::display(display.as_ref())?;
-    let animation = one(&root, "animation", &display::ANIMATION)?;
-    let animation = display::animation(animation.as_ref())?;
     let palette = one(&root, "palette", &palette::PALETTE)?;
     let palette = palette::palette(palette.as_ref())?;
     let mut materials = materials(&root)?;
@@ -80,10 +84,13 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
         return Err(Error::new(source.file, what));
     }
 
-    let bounds = Bounds::of(&actors, &meshes, animation.turntable);
+    let animation = one(&root, "animation", &animation::ANIMATION)?;
+    let animation = animation::animation(animation.as_ref(), &actors)?;
+
+    let bounds = Bounds::of(&actors, &meshes, &animation);
     let aspect = f64::from(display.width) / f64::from(display.height);
     let camera = one(&root, "camera", &camera::CAMERA)?;
-    let camera = camera::camera(camera.as_ref(), &bounds, aspect)?;
+    let camera = camera::camera(camera.as_ref(), &bounds, aspect, &animation)?;
     let viewports = viewport::viewports(&root, &bounds, &display)?;
     let lights = lights.unwrap_or_else(|| vec![headlight(&camera)]);
     Ok(Scene {
@@ -127,26 +134,29 @@ fn one<'t, 'i>(
 
 /// The raw tables of an array, as in `[[light]]`.
 fn many<'t, 'i>(
-    root: &Table<'t, 'i>,
+    table: &Table<'t, 'i>,
     name: &'static str,
 ) -> Result<Vec<(&'t DeTable<'i>, std::ops::Range<usize>)>, Error> {
     let wrong = || {
-        root.error(
+        table.error(
             name,
-            format!("is not a list of tables; expected [[{name}]]"),
+            format!(
+                "is not a list of tables; expected [[{}]]",
+                table.field(name)
+            ),
         )
     };
-    let Some(value) = root.get(name) else {
+    let Some(value) = table.get(name) else {
         return Ok(Vec::new());
     };
     let DeValue::Array(array) = value.get_ref() else {
         return Err(wrong());
     };
-    let table = |value: &'t Spanned<DeValue<'i>>| match value.get_ref() {
+    let each = |value: &'t Spanned<DeValue<'i>>| match value.get_ref() {
         DeValue::Table(table) => Ok((table, value.span())),
         _ => Err(wrong()),
     };
-    array.iter().map(table).collect()
+    array.iter().map(each).collect()
 }
 
 /// All materials; a default one if the file has none.
@@ -219,6 +229,7 @@ fn actors(
     let mut paths: Vec<PathBuf> = Vec::new();
     let mut meshes = Vec::new();
     let mut actors: Vec<Actor> = Vec::new();
+    let mut tables = Vec::new();
     for (table, header) in many(root, "actor")? {
         let table = Table::new(root.source, "actor", table, header, &actor::ACTOR)?;
         let index = match actor::shape(&table)? {
@@ -256,6 +267,8 @@ fn actors(
             return Err(table.error("name", what));
         }
         actors.push(actor);
+        tables.push(table);
     }
+    actor::parents(&tables, &mut actors)?;
     Ok((meshes, actors))
 }

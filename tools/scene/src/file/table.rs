@@ -44,8 +44,6 @@ pub(crate) enum Neutral {
     Number(f64),
     /// A string.
     Text(&'static str),
-    /// Three zeros.
-    Zeros,
 }
 
 /// The keys of one kind of table.
@@ -109,7 +107,6 @@ impl<'t, 'i> Table<'t, 'i> {
             Neutral::Never => String::new(),
             Neutral::Number(value) => format!("; expected {key} = {value}, or no such key"),
             Neutral::Text(value) => format!("; expected {key} = \"{value}\", or no such key"),
-            Neutral::Zeros => format!("; expected {key} = [0, 0, 0], or no such key"),
         };
         self.source.error(
             offset,
@@ -281,8 +278,6 @@ impl Neutral {
             Neutral::Never => false,
             Neutral::Number(number) => to_f64(value).is_some_and(|found| found == *number),
             Neutral::Text(text) => matches!(value, DeValue::String(found) if found == text),
-            Neutral::Zeros => matches!(value, DeValue::Array(array)
-                if array.len() == 3 && array.iter().all(|v| to_f64(v.get_ref()) == Some(0.0))),
         }
     }
 }

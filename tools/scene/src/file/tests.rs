@@ -49,7 +49,8 @@ messages! {
     unknown_table: "[cameras]"
         => "t.toml:1: cameras: is an unknown key; did you mean camera?";
     nothing_near: "[animation]\nxyzzyplugh = 1"
-        => "t.toml:2: animation.xyzzyplugh: is an unknown key; expected one of turntable";
+        => "t.toml:2: animation.xyzzyplugh: is an unknown key; expected one of turntable, frames, \
+            key";
     table_of_many: "[light]\nkind = \"ambient\""
         => "t.toml:1: light: is not a list of tables; expected [[light]]";
     table_of_one: "[[camera]]\nposition = [0, 0, 1]"
@@ -244,9 +245,54 @@ messages! {
     font: "[[text]]\ntext = \"a\"\nposition = [0, 0, 0]\nfont = \"8x8\""
         => "t.toml:4: text.font: \"8x8\" is unknown; expected \"6x10\" or \"4x6\" or \"5x8\" or \
             \"7x13\" or \"9x15\" or \"10x20\"";
-    shear: "[[actor]]\nmesh = \"meshes/cube.obj\"\nshear = [0, 1, 0]"
-        => "t.toml:3: actor.shear: is not supported yet; \
-            expected shear = [0, 0, 0], or no such key";
+    shear_of_two: "[[actor]]\nmesh = \"meshes/cube.obj\"\nshear = [0, 1]"
+        => "t.toml:3: actor.shear: has 2 numbers where 3 belong; \
+            expected e.g. shear = [0.5, 0, 0] (y to x, z to x, z to y)";
+    shear_flattens: "[[actor]]\nmesh = \"meshes/cube.obj\"\nshear = [1, 0, 1, 0, 0, 0]"
+        => "t.toml:3: actor.shear: flattens the actor, its determinant is 0; \
+            expected e.g. shear = [0.5, 0, 0, 0, 0, 0] (y, z to x; x, z to y; x, y to z)";
+    matrix_flattens: "[[actor]]\nmesh = \"meshes/cube.obj\"\n\
+        matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1]"
+        => "t.toml:3: actor.matrix: flattens the actor, its determinant is 0; \
+            expected e.g. matrix = [1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]";
+    matrix_with_a_perspective: "[[actor]]\nmesh = \"meshes/cube.obj\"\n\
+        matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0]"
+        => "t.toml:3: actor.matrix: the last four numbers are not 0, 0, 0, 1 (a perspective \
+            belongs to the camera); \
+            expected e.g. matrix = [1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]";
+    parent_unknown: "[[actor]]\nmesh = \"meshes/cube.obj\"\nparent = \"arm\""
+        => "t.toml:3: actor.parent: no [[actor]] is named \"arm\"; expected the name of one";
+    parents_in_a_ring: "[[actor]]\nmesh = \"meshes/cube.obj\"\nname = \"a\"\nparent = \"b\"\n\
+        [[actor]]\nmesh = \"meshes/cube.obj\"\nname = \"b\"\nparent = \"a\""
+        => "t.toml:8: actor.parent: goes round in a ring (\"b\" of \"a\" of \"b\"); \
+            expected a chain that ends";
+    dolly_zero: "[camera]\ndolly = 0"
+        => "t.toml:2: camera.dolly: 0 is out of range; expected a number in 0.001..=100";
+    pan_of_three: "[camera]\npan = [0, 0, 1]"
+        => "t.toml:2: camera.pan: has 3 numbers where 2 belong; expected e.g. pan = [1, 0.5]";
+    elevation_to_a_pole: "[camera]\nposition = [0, 0, 5]\nelevation = 90"
+        => "t.toml:2: camera.position: view_up is parallel to the line of sight; \
+            expected e.g. view_up = [0, 0, 1]";
+    key_of_nobody: "[[animation.key]]\nframe = 1\nroll = 5"
+        => "t.toml:1: animation.key.actor: is missing; \
+            expected the name of an [[actor]], or actor = \"camera\"";
+    key_of_an_unknown_actor: "[[animation.key]]\nactor = \"arm\"\nframe = 1\nscale = 5"
+        => "t.toml:2: animation.key.actor: no [[actor]] is named \"arm\"; \
+            expected the name of one";
+    key_without_a_frame: "[[animation.key]]\nactor = \"camera\"\nroll = 5"
+        => "t.toml:1: animation.key.frame: is missing; expected e.g. frame = 12";
+    key_that_moves_nothing: "[[animation.key]]\nactor = \"camera\"\nframe = 5"
+        => "t.toml:3: animation.key.frame: a key that moves nothing; expected e.g. position";
+    key_past_the_end: "[animation]\nframes = 10\n[[animation.key]]\nactor = \"camera\"\n\
+        frame = 11\nroll = 5"
+        => "t.toml:5: animation.key.frame: 11 is out of range; \
+            expected a whole number in 0..=10";
+    key_of_the_wrong_kind: "[[animation.key]]\nactor = \"camera\"\nframe = 1\nscale = 5"
+        => "t.toml:4: animation.key.scale: the camera has none; expected no such key";
+    key_twice: "[[animation.key]]\nactor = \"camera\"\nframe = 1\nroll = 5\n\
+        [[animation.key]]\nactor = \"camera\"\nframe = 1\nroll = 6"
+        => "t.toml:8: animation.key.roll: \"camera\" has it in frame 1 already; \
+            expected it once";
 }
 
 #[test]

@@ -4,7 +4,7 @@ use toml::de::DeValue;
 
 use super::table::{Keys, Table};
 use super::{camera, colour, many};
-use crate::description::{Aspect, Camera, Display, Viewport};
+use crate::description::{Animation, Aspect, Camera, Display, Viewport};
 use crate::error::Error;
 use crate::framing::Bounds;
 
@@ -65,7 +65,9 @@ fn own_camera(table: &Table<'_, '_>, bounds: &Bounds, shape: f64) -> Result<Opti
     };
     let keys = &camera::CAMERA;
     let inner = Table::new(table.source, "viewport.camera", inner, value.span(), keys)?;
-    camera::camera(Some(&inner), bounds, shape).map(Some)
+    // Key frames move the scene's own camera only.
+    let still = Animation::default();
+    camera::camera(Some(&inner), bounds, shape, &still).map(Some)
 }
 
 /// Within the picture, and not empty.

@@ -1,0 +1,149 @@
+//! `[animation]` and its `[[animation.key]]`.
+
+use std::collections::BTreeMap;
+
+use super::actor::find;
+use super::camera::{MOVES, move_number, pan};
+use super::many;
+use super::table::{Keys, Neutral, Table};
+use crate::description::{Actor, Animation, Key, Quantity, Target, Track};
+use crate::error::Error;
+
+pub(super) const ANIMATION: Keys = Keys {
+    known: &["turntable", "frames", "key"],
+    later: &[
+        ("palette_cycle", Neutral::Never),
+        ("palette_cycling", Neutral::Never),
+    ],
+};
+
+const KEY: Keys = Keys {
+    known: &[
+        "actor",
+        "frame",
+        "position",
+        "focal_point",
+        "orientation",
+        "scale",
+        "azimuth",
+        "elevation",
+        "roll",
+        "dolly",
+        "zoom",
+        "pan",
+    ],
+    later: &[],
+};
+
+/// Most frames of an animation.
+const MOST: u32 = 100_000;
+/// What a key calls the camera.
+const CAMERA: &str = "camera";
+
+/// Keys as they come, by what they move.
+type Found = BTreeMap<(Target, Quantity), Vec<Key>>;
+
+/// What moves; nothing by default.
+pub(super) fn animation(
+    table: Option<&Table<'_, '_>>,
+    actors: &[Actor],
+) -> Result<Animation, Error> {
+    let Some(table) = table else {
+        return Ok(Animation::default());
+    };
+    let turntable = table.whole("turntable", 1..=MOST)?;
+    let frames = table.whole("frames", 1..=MOST)?;
+    let mut found = Found::new();
+    for (key, header) in many(table, "key")? {
+        let key = Table::new(table.source, "animation.key", key, header, &KEY)?;
+        read(&key, frames.unwrap_or(MOST), actors, &mut found)?;
+    }
+    let last = found.values().flatten().map(|key| key.frame).max();
+    let track = |((target, quantity), mut keys): (_, Vec<Key>)| {
+        keys.sort_by_key(|key| key.frame);
+        Track {
+            target,
+            quantity,
+            keys,
+        }
+    };
+    Ok(Animation {
+        turntable,
+        frames: frames.or(last.map(|last| last + 1)),
+        tracks: found.into_iter().map(track).collect(),
+    })
+}
+
+/// One key: each thing that it names is a key of its own track.
+fn read(
+    table: &Table<'_, '_>,
+    frames: u32,
+    actors: &[Actor],
+    found: &mut Found,
+) -> Result<(), Error> {
+    let Some(name) = table.text("actor", "arm")? else {
+        let what = "is missing; expected the name of an [[actor]], or actor = \"camera\"";
+        return Err(table.error("actor", what));
+    };
+    let target = if name == CAMERA {
+        Target::Camera
+    } else {
+        Target::Actor(find(table, "actor", name, actors)?)
+    };
+    if target == Target::Camera && actors.iter().any(|actor| actor.name == CAMERA) {
+        let what = "is the name of an actor and means the camera; expected another name for it";
+        return Err(table.error("actor", format!("\"{CAMERA}\" {what}")));
+    }
+    let Some(frame) = table.whole("frame", 0..=frames)? else {
+        return Err(table.error("frame", "is missing; expected e.g. frame = 12"));
+    };
+    let mut values: Vec<(&str, Quantity, [f64; 3])> = Vec::new();
+    for (key, quantity, limit, example) in [
+        ("position", Quantity::Position, super::LENGTH, "[0, 1, 5]"),
+        (
+            "focal_point",
+            Quantity::FocalPoint,
+            super::LENGTH,
+            "[0, 1, 0]",
+        ),
+        (
+            "orientation",
+            Quantity::Orientation,
+            super::TURNS,
+            "[0, 90, 0]",
+        ),
+    ] {
+        let numbers = table.numbers::<3>(key, limit, example)?;
+        values.extend(numbers.map(|value| (key, quantity, value)));
+    }
+    for (key, quantity) in [("scale", Quantity::Scale)].into_iter().chain(MOVES) {
+        let number = move_number(table, key, quantity)?;
+        values.extend(number.map(|number| (key, quantity, [number, 0.0, 0.0])));
+    }
+    let pan = pan(table)?;
+    values.extend(pan.map(|[right, up]| ("pan", Quantity::Pan, [right, up, 0.0])));
+    if values.is_empty() {
+        return Err(table.error("frame", "a key that moves nothing; expected e.g. position"));
+    }
+    for (key, quantity, value) in values {
+        let of_actor = matches!(
+            quantity,
+            Quantity::Position | Quantity::Orientation | Quantity::Scale
+        );
+        let of_camera = !matches!(quantity, Quantity::Orientation | Quantity::Scale);
+        let (has, whose) = match target {
+            Target::Camera => (of_camera, "the camera"),
+            Target::Actor(_) => (of_actor, "an actor"),
+        };
+        if !has {
+            return Err(table.error(key, format!("{whose} has none; expected no such key")));
+        }
+        let keys = found.entry((target, quantity)).or_default();
+        if keys.iter().any(|key| key.frame == frame) {
+            let what = format!("\"{name}\" has it in frame {frame} already; expected it once");
+            return Err(table.error(key, what));
+        }
+        keys.push(Key { frame, value });
+    }
+    Ok(())
+}

@@ -1,0 +1,211 @@
+//! Where things are over time, as far as framing and baking need to know it. The
+//! reference works out the same by itself.
+
+use glam::{DMat4, DVec3};
+
+use crate::description::{Actor, Animation, Camera, Projection, Quantity, Scene, Target, Track};
+use crate::framing::Bounds;
+
+/// Angles of a turntable at which its bounds are looked at. The box of a
+/// turning box between two of them is larger by less than 1 in 1000.
+const TURNTABLE_STEPS: u32 = 64;
+/// Frames of the tracks that are looked at, and with a turntable for each of its
+/// angles.
+const FRAMES: [u32; 2] = [256, 16];
+
+/// A moment of an animation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Instant {
+    /// Degrees that the turntable adds.
+    turn: f64,
+    /// The tracks' frame.
+    frame: f64,
+}
+
+impl Instant {
+    /// So many moments that nothing of note is missed between them: one if nothing
+    /// moves.
+    pub fn all(animation: &Animation) -> Vec<Self> {
+        let turns = animation.turntable.map_or(1, |_| TURNTABLE_STEPS);
+        let frames = frames(animation, FRAMES[usize::from(turns > 1)]);
+        let turn = |step| 360.0 * f64::from(step) / f64::from(turns);
+        let at = |frame: f64| {
+            (0..turns).map(move |step| Self {
+                turn: turn(step),
+                frame,
+            })
+        };
+        frames.into_iter().flat_map(at).collect()
+    }
+}
+
+/// Frames of the tracks, about so many, every key among them.
+fn frames(animation: &Animation, most: u32) -> Vec<f64> {
+    let Some(length) = animation.frames.filter(|_| !animation.tracks.is_empty()) else {
+        return vec![0.0];
+    };
+    let steps = length.min(most).max(1);
+    let even = (0..steps).map(|step| f64::from(step) * f64::from(length) / f64::from(steps));
+    let keys = animation.tracks.iter().flat_map(|track| &track.keys);
+    let mut all: Vec<f64> = even.chain(keys.map(|key| f64::from(key.frame))).collect();
+    all.sort_by(f64::total_cmp);
+    all.dedup();
+    all
+}
+
+/// A track's value.
+fn value(track: &Track, frame: f64) -> [f64; 3] {
+    let after = track
+        .keys
+        .iter()
+        .position(|key| f64::from(key.frame) > frame);
+    let (last, next) = match after {
+        None => (track.keys.len() - 1, track.keys.len() - 1),
+        Some(next) => (next.saturating_sub(1), next),
+    };
+    let (from, to) = (&track.keys[last], &track.keys[next]);
+    let span = f64::from(to.frame) - f64::from(from.frame);
+    let part = if span > 0.0 {
+        ((frame - f64::from(from.frame)) / span).max(0.0)
+    } else {
+        0.0
+    };
+    std::array::from_fn(|i| from.value[i] + (to.value[i] - from.value[i]) * part)
+}
+
+fn tracks(animation: &Animation, target: Target) -> impl Iterator<Item = &Track> {
+    animation
+        .tracks
+        .iter()
+        .filter(move |track| track.target == target)
+}
+
+/// A point of an actor's mesh in world space.
+pub(crate) fn place(
+    actors: &[Actor],
+    animation: &Animation,
+    at: &Instant,
+    index: usize,
+    point: DVec3,
+) -> DVec3 {
+    let Some(actor) = actors.get(index) else {
+        return point;
+    };
+    let (mut position, mut orientation, mut factor) = (actor.position, actor.orientation, 1.0);
+    for track in tracks(animation, Target::Actor(index)) {
+        let value = value(track, at.frame);
+        match track.quantity {
+            Quantity::Position => position = value,
+            Quantity::Orientation => orientation = value,
+            _ => factor = value[0],
+        }
+    }
+    let origin = DVec3::from(actor.origin);
+    let [x, mut y, z] = orientation;
+    if actor.parent.is_none() && !actor.still {
+        y += at.turn;
+    }
+    let mut p = (point - origin) * DVec3::from(actor.scale) * factor;
+    let [xy, xz, yx, yz, zx, zy] = actor.shear;
+    p += DVec3::new(
+        xy * p.y + xz * p.z,
+        yx * p.x + yz * p.z,
+        zx * p.x + zy * p.y,
+    );
+    let (sin, cos) = libm::sincos(y.to_radians());
+    p = DVec3::new(cos * p.x + sin * p.z, p.y, cos * p.z - sin * p.x);
+    let (sin, cos) = libm::sincos(x.to_radians());
+    p = DVec3::new(p.x, cos * p.y - sin * p.z, sin * p.y + cos * p.z);
+    let (sin, cos) = libm::sincos(z.to_radians());
+    p = DVec3::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y, p.z);
+    p += origin + DVec3::from(position);
+    if actor.matrix != crate::IDENTITY {
+        p = DMat4::from_cols_array_2d(&actor.matrix)
+            .transpose()
+            .transform_point3(p);
+    }
+    match actor.parent {
+        Some(parent) => place(actors, animation, at, parent, p),
+        None => p,
+    }
+}
+
+/// The camera after a move of `value`.
+pub(crate) fn moved(mut camera: Camera, quantity: Quantity, value: [f64; 3]) -> Camera {
+    let (eye, focus) = (
+        DVec3::from(camera.position),
+        DVec3::from(camera.focal_point),
+    );
+    let up = DVec3::from(camera.view_up);
+    let sight = focus - eye;
+    let number = value[0];
+    let turned = |axis: DVec3, v: DVec3| {
+        // Rodrigues' formula.
+        let axis = axis.normalize_or(DVec3::Y);
+        let (sin, cos) = libm::sincos(number.to_radians());
+        v * cos + axis.cross(v) * sin + axis * (axis.dot(v) * (1.0 - cos))
+    };
+    match quantity {
+        Quantity::Position => camera.position = value,
+        Quantity::FocalPoint => camera.focal_point = value,
+        Quantity::Azimuth => camera.position = (focus + turned(up, -sight)).into(),
+        Quantity::Elevation => {
+            camera.position = (focus + turned(up.cross(sight), -sight)).into();
+        }
+        Quantity::Roll => camera.view_up = turned(sight, up).into(),
+        Quantity::Dolly => camera.position = (focus - sight / number).into(),
+        Quantity::Zoom => match &mut camera.projection {
+            Projection::Perspective { view_angle } => *view_angle /= number,
+            Projection::Parallel { parallel_scale } => *parallel_scale /= number,
+        },
+        Quantity::Pan => {
+            let right = sight.cross(up).normalize_or_zero();
+            let way = right * value[0] + right.cross(sight).normalize_or_zero() * value[1];
+            camera.position = (eye + way).into();
+            camera.focal_point = (focus + way).into();
+        }
+        Quantity::Orientation | Quantity::Scale => {}
+    }
+    camera
+}
+
+/// The camera in all frames that are worth a look: one if it stands still.
+pub(crate) fn cameras(camera: &Camera, animation: &Animation) -> Vec<Camera> {
+    if tracks(animation, Target::Camera).next().is_none() {
+        return vec![*camera];
+    }
+    let at = |frame: f64| {
+        tracks(animation, Target::Camera).fold(*camera, |camera, track| {
+            moved(camera, track.quantity, value(track, frame))
+        })
+    };
+    frames(animation, FRAMES[0]).into_iter().map(at).collect()
+}
+
+/// How far everything gets in all frames.
+#[derive(Clone, Debug)]
+pub struct Reach {
+    /// Centre and radius of a sphere around each actor.
+    pub actors: Vec<([f64; 3], f64)>,
+    /// Where the eye is; and what it looks at, if key frames move it.
+    pub views: Vec<[f64; 3]>,
+}
+
+impl Reach {
+    /// Of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        let bounds = Bounds::of(&scene.actors, &scene.meshes, &scene.animation);
+        let sphere = |(centre, radius): &(DVec3, f64)| (centre.to_array(), *radius);
+        let mut views = vec![scene.camera.position];
+        if tracks(&scene.animation, Target::Camera).next().is_some() {
+            let cameras = cameras(&scene.camera, &scene.animation);
+            let both = |camera: Camera| [camera.position, camera.focal_point];
+            views.push(scene.camera.focal_point);
+            views.extend(cameras.into_iter().flat_map(both));
+        }
+        Self {
+            actors: bounds.spheres().iter().map(sphere).collect(),
+            views,
+        }
+    }
+}
