@@ -9,6 +9,7 @@
 //!   -> per vertex: transform, light        vertex/   screen position, depth, level
 //!   -> per triangle: near clip, setup      clip/, raster/
 //!   -> per span: depth test, shade         raster/
+//!   -> per pixel: fog                       fog/       by depth
 //!   -> Band: rows of indices and depth     frame/
 //!   -> palette: index -> panel colour      palette/
 //!   -> Display                             display/
@@ -33,6 +34,7 @@ extern crate std;
 pub mod clip;
 pub mod cull;
 pub mod display;
+pub mod fog;
 pub mod frame;
 mod include;
 pub mod math;

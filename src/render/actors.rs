@@ -1,6 +1,7 @@
 //! Viewports of a frame and matrices of its actors, made when first asked for.
 
-use crate::scene::{PlacedViewport, Pose, Scene};
+use crate::fog::FogDepths;
+use crate::scene::{Fog, PlacedViewport, Pose, Scene};
 use crate::view::{ActorView, ViewFrame};
 
 /// Room for one actor's matrices.
@@ -26,6 +27,8 @@ pub(super) struct Actors<'a> {
     size: (u16, u16),
     viewport: PlacedViewport,
     view: ViewFrame,
+    /// Set when the viewport's fog is asked for.
+    fog: Option<FogDepths>,
     slots: &'a mut [ActorSlot],
 }
 
@@ -46,6 +49,7 @@ impl<'a> Actors<'a> {
             size,
             viewport,
             view: ViewFrame::of(&viewport),
+            fog: None,
             slots,
         }
     }
@@ -56,8 +60,16 @@ impl<'a> Actors<'a> {
             let (width, height) = self.size;
             self.viewport = self.scene.place_viewport(number, self.pose, width, height);
             self.view = ViewFrame::of(&self.viewport);
+            self.fog = None;
         }
         &self.viewport
+    }
+
+    /// Which depths of a viewport are how foggy.
+    pub(super) fn fog(&mut self, viewport: u16, fog: &Fog) -> &FogDepths {
+        self.viewport(viewport);
+        let depths = || FogDepths::new(&self.view, &fog.distances);
+        self.fog.get_or_insert_with(depths)
     }
 
     /// The matrices of actor `index` in a viewport; `None` without a slot.

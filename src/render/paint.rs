@@ -15,6 +15,9 @@ pub struct Ids {
 
 /// Chooses a triangle's fill.
 pub trait Paint {
+    /// Whether the scene's fog lies over it.
+    const FOGGED: bool = false;
+
     /// `shades` is the material's row of the shade table; `flat` the face's
     /// level if it has one.
     fn fill<'a>(&self, shades: &'a [u8; 256], flat: Option<Level>, ids: Ids) -> Fill<'a>;
@@ -28,6 +31,8 @@ pub trait Paint {
 pub struct Shaded;
 
 impl Paint for Shaded {
+    const FOGGED: bool = true;
+
     #[inline(always)]
     fn fill<'a>(&self, shades: &'a [u8; 256], flat: Option<Level>, _: Ids) -> Fill<'a> {
         match flat {

@@ -1,8 +1,9 @@
 //! The viewports of one band, one after the other: each begins with its own
-//! background, over whatever earlier ones have drawn there.
+//! background, over whatever earlier ones have drawn there, and ends in its fog.
 
 use super::actors::Actors;
 use super::paint::Paint;
+use crate::fog;
 use crate::frame::Target;
 use crate::scene::Scene;
 
@@ -35,10 +36,25 @@ impl<'a, P: Paint> Viewports<'a, P> {
     /// Goes on to viewport `number`; one past the last ends the band.
     pub(super) fn reach(&mut self, number: u16, actors: &mut Actors<'_>, target: &mut Target<'_>) {
         while self.next <= number {
+            if let Some(before) = self.next.checked_sub(1) {
+                self.end(before, actors, target);
+            }
             if self.next < self.scene.viewport_count() {
                 self.begin(actors, target);
             }
             self.next += 1;
+        }
+    }
+
+    /// Fog over a viewport's finished pixels.
+    fn end(&self, viewport: u16, actors: &mut Actors<'_>, target: &mut Target<'_>) {
+        if !(cfg!(feature = "fog") && P::FOGGED) {
+            return;
+        }
+        if let (Some(fog), Some(table)) = (self.scene.fog(), self.scene.fog_table()) {
+            let rect = actors.viewport(viewport).rect;
+            let depths = actors.fog(viewport, &fog);
+            fog::apply(&mut target.part(&rect), table, depths);
         }
     }
 

@@ -22,6 +22,8 @@ pub enum Section {
     ViewportBackgrounds,
     Tracks,
     Keys,
+    Fog,
+    FogTable,
 }
 
 impl Section {
@@ -43,6 +45,8 @@ impl Section {
         Self::ViewportBackgrounds,
         Self::Tracks,
         Self::Keys,
+        Self::Fog,
+        Self::FogTable,
     ];
 }
 
@@ -85,6 +89,7 @@ pub enum Field {
     Quantity,
     FirstKey,
     Frame,
+    Distance,
 }
 
 /// Why a blob was refused. Nothing of a refused blob is used.
@@ -118,6 +123,12 @@ pub enum SceneError {
         stated: u32,
         /// The sum of the bytes given.
         found: u32,
+    },
+    /// The scene needs a part of the renderer that this program was built
+    /// without.
+    Feature {
+        /// The Cargo feature of the crate `fixel` that has it.
+        name: &'static str,
     },
     /// A field of the header is out of its range.
     Header {
@@ -166,6 +177,11 @@ impl fmt::Display for SceneError {
                     "damaged: checksum {found:#010x}, the header states {stated:#010x}"
                 )
             }
+            Self::Feature { name } => write!(
+                f,
+                "the scene needs the feature `{name}`, which this program was built without: \
+                 in Cargo.toml, fixel = {{ features = [\"{name}\"] }}"
+            ),
             Self::Header { field, value } => {
                 write!(f, "damaged: header: {field:?} is {value}, out of range")
             }

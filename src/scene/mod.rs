@@ -5,6 +5,7 @@
 mod access;
 mod camera_record;
 mod error;
+mod fog;
 mod header;
 mod moves;
 mod parse;
@@ -15,6 +16,7 @@ mod viewport;
 
 pub use camera_record::CameraRecord;
 pub use error::{Field, SceneError, Section};
+pub use fog::{Fog, FogMode};
 pub use header::Header;
 pub use parse::Scene;
 pub use pose::{Camera, Place, Placement, Pose, Projection};
@@ -33,7 +35,7 @@ pub mod layout {
     /// Words of the header, before the section table.
     pub const HEADER_WORDS: usize = 24;
     /// Sections; each has two words in the table: byte offset and count.
-    pub const SECTIONS: usize = 16;
+    pub const SECTIONS: usize = 18;
     /// Bytes before the first section.
     pub const PREFIX_BYTES: usize = 4 * (HEADER_WORDS + 2 * SECTIONS);
     /// Where the checksum starts: after magic, version, length, checksum.
@@ -44,6 +46,8 @@ pub mod layout {
     pub const MESHLET_TRIANGLES: usize = 128;
     /// Lights with a direction.
     pub const LIGHTS: usize = 8;
+    /// Rows of a fog table: from no fog to nothing but fog, in even steps.
+    pub const FOG_ROWS: usize = 32;
     /// Viewports.
     pub const VIEWPORTS: usize = 8;
     /// Half of a mesh's grid: vertices are within this many steps of its

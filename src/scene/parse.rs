@@ -5,8 +5,8 @@ use bytemuck::{AnyBitPattern, try_cast_slice};
 
 use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
 use super::{
-    Actor, ColourFormat, Field, Header, Key, Light, Material, Mesh, Meshlet, Record, SceneError,
-    Section, Track, Viewport, checksum,
+    Actor, ColourFormat, Field, Fog, Header, Key, Light, Material, Mesh, Meshlet, Record,
+    SceneError, Section, Track, Viewport, checksum,
 };
 
 /// A checked scene, read in place from flash.
@@ -29,6 +29,8 @@ pub struct Scene<'a> {
     pub(crate) viewport_backgrounds: &'a [u8],
     pub(crate) tracks: &'a [<Track as Record>::Words],
     pub(crate) keys: &'a [<Key as Record>::Words],
+    pub(crate) fog: &'a [<Fog as Record>::Words],
+    pub(crate) fog_table: &'a [[u8; 256]],
 }
 
 impl<'a> Scene<'a> {
@@ -89,12 +91,15 @@ impl<'a> Scene<'a> {
             viewport_backgrounds: section(bytes, &mut table)?,
             tracks: section(bytes, &mut table)?,
             keys: section(bytes, &mut table)?,
+            fog: section(bytes, &mut table)?,
+            fog_table: section(bytes, &mut table)?,
         };
         scene.check_colours()?;
         scene.check_actors()?;
         scene.check_meshes()?;
         scene.check_viewports()?;
         scene.check_tracks()?;
+        scene.check_fog()?;
         Ok(scene)
     }
 
@@ -254,40 +259,6 @@ impl<'a> Scene<'a> {
                 .skip(span.start)
             {
                 self.check_meshlet(j, &Meshlet::from_words(words), &mesh)?;
-            }
-        }
-        Ok(())
-    }
-
-    fn check_viewports(&self) -> Result<(), SceneError> {
-        let s = Section::Viewports;
-        count(s, self.viewports.len(), 0, layout::VIEWPORTS)?;
-        let own = self.viewport_backgrounds;
-        let colours = self.palette.len() as i64 - 1;
-        for (i, index) in own.iter().enumerate() {
-            let index = i64::from(*index);
-            let s = Section::ViewportBackgrounds;
-            range(s, i, Field::PaletteIndex, index, 0, colours)?;
-        }
-        for (i, words) in self.viewports.iter().enumerate() {
-            let viewport = Viewport::from_words(words);
-            let [left, top, right, bottom] = viewport.sides.map(i64::from);
-            let full = super::FULL_SIDE.into();
-            for (low, high) in [(left, right), (top, bottom)] {
-                range(s, i, Field::Sides, low, 0, high)?;
-                range(s, i, Field::Sides, high, 0, full)?;
-            }
-            let (first, count) = viewport.background;
-            let last = own.len() as i64 - i64::from(count);
-            range(s, i, Field::Background, first.into(), 0, last)?;
-            let bad = viewport.camera.and_then(|camera| camera.out_of_range());
-            if let Some((field, value)) = bad {
-                return Err(SceneError::Record {
-                    section: s,
-                    index: i,
-                    field,
-                    value,
-                });
             }
         }
         Ok(())

@@ -1,7 +1,8 @@
 //! Parts of the frame with cameras of their own.
 
+use super::parse::{count, range};
 use super::records::u;
-use super::{Camera, CameraRecord, Pose, Record, Scene};
+use super::{Camera, CameraRecord, Field, Pose, Record, Scene, SceneError, Section, layout};
 use crate::math::Rect;
 
 /// A viewport of the scene file.
@@ -165,5 +166,42 @@ impl Gradient<'_> {
     pub fn at(&self, y: u16, height: u16) -> u8 {
         let at = (u32::from(y) * self.0.len() as u32) / u32::from(height).max(1);
         self.0.get(at as usize).copied().unwrap_or(0)
+    }
+}
+
+impl Scene<'_> {
+    /// Whether all is in range.
+    pub(super) fn check_viewports(&self) -> Result<(), SceneError> {
+        let s = Section::Viewports;
+        count(s, self.viewports.len(), 0, layout::VIEWPORTS)?;
+        let own = self.viewport_backgrounds;
+        let colours = self.palette.len() as i64 - 1;
+        for (i, index) in own.iter().enumerate() {
+            let index = i64::from(*index);
+            let s = Section::ViewportBackgrounds;
+            range(s, i, Field::PaletteIndex, index, 0, colours)?;
+        }
+        for (i, words) in self.viewports.iter().enumerate() {
+            let viewport = Viewport::from_words(words);
+            let [left, top, right, bottom] = viewport.sides.map(i64::from);
+            let full = FULL_SIDE.into();
+            for (low, high) in [(left, right), (top, bottom)] {
+                range(s, i, Field::Sides, low, 0, high)?;
+                range(s, i, Field::Sides, high, 0, full)?;
+            }
+            let (first, count) = viewport.background;
+            let last = own.len() as i64 - i64::from(count);
+            range(s, i, Field::Background, first.into(), 0, last)?;
+            let bad = viewport.camera.and_then(|camera| camera.out_of_range());
+            if let Some((field, value)) = bad {
+                return Err(SceneError::Record {
+                    section: s,
+                    index: i,
+                    field,
+                    value,
+                });
+            }
+        }
+        Ok(())
     }
 }

@@ -38,7 +38,7 @@ const ONE: u64 = 65535 << 4;
 impl DepthMap {
     /// For clip distances that are world distances times `2^scale`, where the near
     /// plane's is `near`.
-    pub(super) fn new(frame: &ViewFrame, scale: i32, near: i32) -> Self {
+    pub(crate) fn new(frame: &ViewFrame, scale: i32, near: i32) -> Self {
         if frame.perspective {
             let (mantissa, bits) = top_31_bits(frame.near.unsigned_abs().saturating_mul(ONE));
             // near has 16 fractional bits; 62 is the reciprocal's scale, 32 the

@@ -31,8 +31,9 @@ fn baked(file: &str) -> Baked {
 }
 
 static SMALL: LazyLock<Baked> = LazyLock::new(|| baked("tests/data/small.toml"));
-static LARGE: LazyLock<[Baked; 2]> =
-    LazyLock::new(|| ["scenes/parallel.toml", "scenes/viewports.toml"].map(baked));
+static LARGE: LazyLock<[Baked; 3]> = LazyLock::new(|| {
+    ["parallel", "viewports", "fog_exponential"].map(|name| baked(&format!("scenes/{name}.toml")))
+});
 
 /// The blob with some words replaced and the checksum made good.
 fn changed(baked: &Baked, changes: &[(usize, u32)]) -> Vec<u8> {
@@ -102,13 +103,14 @@ proptest! {
     #[test]
     fn several_extreme_words_at_once(
         changes in prop::collection::vec((any::<prop::sample::Index>(), word()), 1..6),
-        which in prop_oneof![9 => Just(None), 1 => (0..2usize).prop_map(Some)],
+        which in prop_oneof![9 => Just(None), 1 => (0..3usize).prop_map(Some)],
     ) {
         let baked: &Baked = which.map_or(&SMALL, |which| &LARGE[which]);
         let lights = section(baked, 3);
         let viewports = section(baked, 12)..section(baked, 13);
+        let rest = section(baked, 14)..section(baked, 17);
         let places: Vec<usize> =
-            CAMERA.chain(lights..section(baked, 8)).chain(viewports).collect();
+            CAMERA.chain(lights..section(baked, 8)).chain(viewports).chain(rest).collect();
         let changes: Vec<(usize, u32)> =
             changes.iter().map(|(at, value)| (places[at.index(places.len())], *value)).collect();
         drawn(&changed(baked, &changes));

@@ -104,6 +104,7 @@ fn no_capacity_and_no_band_height_changes_a_byte() {
         "near_clip",
         "two_materials",
         "viewports",
+        "fog_exponential",
     ] {
         let (_, baked) = load(&root().join(format!("scenes/{name}.toml")));
         let scene = baked.scene().expect("baked a moment ago");

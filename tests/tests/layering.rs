@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 /// What each module may import. `render` is the one place that knows all.
-const ALLOWED: [(&str, &[&str]); 10] = [
+const ALLOWED: [(&str, &[&str]); 11] = [
     ("math", &[]),
     ("frame", &["math"]),
     ("scene", &["math"]),
@@ -14,6 +14,7 @@ const ALLOWED: [(&str, &[&str]); 10] = [
     ("vertex", &["math", "scene", "view"]),
     ("clip", &["math", "vertex", "view"]),
     ("raster", &["frame", "math", "vertex"]),
+    ("fog", &["frame", "math", "scene", "view"]),
     ("palette", &["frame"]),
     ("display", &["frame", "palette"]),
 ];

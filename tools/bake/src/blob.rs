@@ -5,6 +5,7 @@ use fixel::scene::{Header, Record, SceneError, checksum};
 use fixel_scene::Scene;
 
 use crate::BakeError;
+use crate::fog;
 use crate::instance::instances;
 use crate::mesh::{Parts, Source};
 use crate::not_yet;
@@ -94,6 +95,8 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
         .collect::<Vec<_>>();
 
     let (tracks, keys) = tracks(scene, &units, &placed)?;
+    let fogs: Vec<_> = scene.fog.iter().map(|f| fog::fog(f, &units)).collect();
+
     let words = |records: &[u8]| records.to_vec();
     let sections: [(Vec<u8>, usize); SECTIONS] = [
         (words(tables.palette.as_flattened()), tables.palette.len()),
@@ -119,6 +122,8 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
         flat_bytes(&tables.viewport_backgrounds),
         records(&tracks),
         records(&keys),
+        records(&fogs),
+        (words(tables.fog.as_flattened()), tables.fog.len()),
     ];
     let words = assemble(header(scene, &units)?, &sections)?;
     Ok(Baked {

@@ -6,6 +6,7 @@
 
 mod blob;
 mod error;
+mod fog;
 mod grid;
 mod instance;
 mod mesh;

@@ -51,6 +51,9 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
             .collect(),
         meshes: (0..blob.mesh_count()).map(|i| mesh(blob, i)).collect(),
         actors: motion::actors(blob, &places),
+        fog: blob
+            .fog()
+            .map(|fog| crate::fog::unbake(&fog, |bits| places.length(bits))),
         animation: motion::animation(blob, &places),
         palette: Palette {
             colours: blob.palette().len() as u32,

@@ -49,6 +49,7 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
                 .map(|m| Path::Level(Box::new(*scene.shade(&scene.material(m)))))
                 .collect(),
             colours: Vec::new(),
+            fog: scene.fog_table().map_or(Vec::new(), |table| table.to_vec()),
             background: backgrounds(scene, options),
             palette,
         },

@@ -59,6 +59,9 @@ pub struct Lookup {
     /// colour. A colour is rounded to the nearest of 0, 1/15, .. 1 in each
     /// channel; what a renderer dithers is held against the undithered.
     pub colours: Vec<u8>,
+    /// Rows of what becomes of each index, from no fog to nothing else, in even
+    /// steps; empty without fog.
+    pub fog: Vec<[u8; 256]>,
     /// For each pixel of the picture, the palette index of the background.
     pub background: Vec<u8>,
 }
@@ -190,6 +193,7 @@ impl Frame {
             Path::Colour => None,
         });
         let others = lookup.colours.iter().chain(&lookup.background);
+        let others = others.chain(lookup.fog.iter().flatten());
         match levels
             .flatten()
             .chain(others)
@@ -212,13 +216,17 @@ impl Lookup {
     }
 
     fn index(&self, hit: &Hit) -> u8 {
-        match &self.paths[hit.material] {
+        let clear = match &self.paths[hit.material] {
             Path::Level(indices) => indices[hit.level.round() as usize],
             Path::Colour => {
                 let step = |channel: f64| (15.0 * channel).round() as usize;
                 let [red, green, blue] = hit.colour.map(step);
                 self.colours[red << 8 | green << 4 | blue]
             }
+        };
+        match self.fog.len().checked_sub(1) {
+            Some(last) => self.fog[(hit.fog * last as f64).round() as usize][usize::from(clear)],
+            None => clear,
         }
     }
 

@@ -13,6 +13,7 @@
 mod bvh;
 mod camera;
 mod compare;
+mod fog;
 mod frame;
 mod geometry;
 pub mod heatmap;

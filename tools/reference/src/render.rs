@@ -1,6 +1,7 @@
 //! The scene to the truth, pixel by pixel.
 
 use crate::bvh::Bvh;
+use crate::fog::fog_part;
 use crate::geometry::{Face, Geometry};
 use crate::ray::{Meeting, Ray};
 use crate::truth::{Hit, Truth};
@@ -71,6 +72,7 @@ pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sy
         height,
         pixels,
         background,
+        fog: scene.fog,
         materials,
         windows,
     }
@@ -97,6 +99,7 @@ impl Seen<'_> {
             material,
             weights,
             level: lit.level,
+            fog: scene.fog.map_or(0.0, |fog| fog_part(&fog, self.meeting.w)),
             colour: lit.colour.into(),
             margin_lsb: self
                 .second

@@ -1,7 +1,8 @@
 //! What is truly seen at each pixel.
 
+use crate::fog::fogged;
 use crate::window::Window;
-use fixel_scene::Rgb;
+use fixel_scene::{Fog, Rgb};
 
 /// The surface seen at a pixel's centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +28,8 @@ pub struct Hit {
     pub level: f64,
     /// The surface's colour, each channel in 0..=1.
     pub colour: Rgb,
+    /// How much of what is seen is fog, 0..=1; `level` and `colour` are without.
+    pub fog: f64,
     /// How much farther the next surface at this pixel is, in depth units;
     /// infinite if there is none.
     pub margin_lsb: f64,
@@ -40,6 +43,7 @@ pub struct Truth {
     pub(crate) pixels: Vec<Option<Hit>>,
     /// The background's colour at each pixel.
     pub(crate) background: Vec<Rgb>,
+    pub(crate) fog: Option<Fog>,
     /// How many materials the scene has.
     pub(crate) materials: usize,
     /// Parts of the picture, later ones over earlier ones.
@@ -96,7 +100,10 @@ impl Truth {
             .iter()
             .zip(&self.background)
             .map(|(pixel, background)| match pixel {
-                Some(hit) => hit.colour,
+                Some(hit) => match &self.fog {
+                    Some(fog) => fogged(fog, hit.colour.into(), hit.fog).into(),
+                    None => hit.colour,
+                },
                 None => *background,
             })
     }

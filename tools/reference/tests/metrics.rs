@@ -17,6 +17,7 @@ fn greys(side: u32) -> Lookup {
             level as u8
         })))],
         colours: Vec::new(),
+        fog: Vec::new(),
         background: vec![0; (side * side) as usize],
     }
 }
@@ -33,6 +34,7 @@ fn by_colour(pixels: usize) -> Lookup {
         palette: (0..32).map(|i| colour(i).map(|c| c as u8)).collect(),
         paths: vec![Path::Colour],
         colours: (0..COLOURS).map(nearest).collect(),
+        fog: Vec::new(),
         background: vec![0; pixels],
     }
 }

@@ -67,6 +67,7 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
         }],
         meshes,
         actors,
+        fog: None,
         animation: Animation::default(),
         palette: Palette::default(),
     })

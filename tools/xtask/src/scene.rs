@@ -21,7 +21,7 @@ pub const BENCH: [&str; 6] = [
 /// `scenes/`. Clipping, slivers, a parallel camera and more actors than the
 /// firmware keeps matrices for are among them; chains of parents, key frames and
 /// camera moves.
-pub const PARITY: [&str; 11] = [
+pub const PARITY: [&str; 13] = [
     "teapot",
     "bunny",
     "suzanne",
@@ -33,6 +33,8 @@ pub const PARITY: [&str; 11] = [
     "tiny_128x64",
     "parents",
     "keyframes",
+    "viewports",
+    "fog_exponential",
 ];
 
 /// Bench scenes that do not draw all of their workload yet, and what is

@@ -5,7 +5,8 @@
 //! coefficients and the scene's lights can give, and the background. The palette's
 //! entries are dealt out among these ramps in proportion to their length in Oklab,
 //! evenly along each. If some material goes by colour, surfaces are sampled under the
-//! scene's lights, and the palette is made by k-means in Oklab.
+//! scene's lights, and the palette is made by k-means in Oklab; so it is if there is
+//! fog, with each sample both clear and fogged.
 //!
 //! In: the description. Out: [`Tables`], for the blob.
 
@@ -18,9 +19,11 @@ mod surface;
 mod tests;
 mod way;
 
-use fixel_scene::{Background, Light, LightKind, Material, Rgb, Scene, Viewport};
+use fixel_scene::{Background, Fog, Light, LightKind, Material, Rgb, Scene, Viewport};
 
+use crate::fog::fogged_row;
 use choose::{Sample, choose};
+use fixel::scene::layout::FOG_ROWS;
 use nearest::{Nearest, lookup};
 use ramp::{Ramp, asked_for, deal};
 use way::Way;
@@ -46,6 +49,8 @@ pub(crate) struct Tables {
     pub background: Vec<u8>,
     /// The same for each viewport; empty if it has the scene's.
     pub viewport_backgrounds: Vec<Vec<u8>>,
+    /// If there is fog: rows from none to nothing else, of what becomes of each index.
+    pub fog: Vec<[u8; 256]>,
 }
 
 /// A material's way from light to an index.
@@ -99,9 +104,26 @@ pub(crate) fn tables(scene: &Scene) -> Tables {
         shades,
         colours,
         background: indices(&nearest, &background),
+        fog: scene
+            .fog
+            .iter()
+            .flat_map(|fog| fog_rows(fog, &palette, &nearest))
+            .collect(),
         viewport_backgrounds: own.iter().map(|c| indices(&nearest, c)).collect(),
         palette,
     }
+}
+
+/// Rows of the fog table.
+fn fog_rows(fog: &Fog, palette: &[[u8; 3]], nearest: &Nearest) -> Vec<[u8; 256]> {
+    let row = |row: usize| {
+        let mut indices = [0; 256];
+        for (index, colour) in indices.iter_mut().zip(palette) {
+            *index = nearest.index(fogged_row(fog, to_unit(*colour), row));
+        }
+        indices
+    };
+    (0..FOG_ROWS).map(row).collect()
 }
 
 fn indices(nearest: &Nearest, colours: &[Rgb]) -> Vec<u8> {
@@ -118,7 +140,17 @@ fn palette(scene: &Scene, ways: &[Way], backgrounds: &[Vec<Rgb>]) -> Vec<[u8; 3]
     let most = wanted.colours.clamp(2, 256) as usize;
     let mut palette = asked_for(&wanted.ramps);
     palette.truncate(most);
-    if ways.contains(&Way::Colour) {
+    if ways.contains(&Way::Colour) || scene.fog.is_some() {
+        if let Some(fog) = &scene.fog {
+            // What is far away and the sky before which it stands are the same
+            // colour if they are meant to be.
+            let plain = backgrounds.iter().filter(|colours| colours.len() == 1);
+            for colour in plain.flatten().chain([&fog.colour]) {
+                if !palette.contains(&to_bytes(*colour)) && palette.len() < most {
+                    palette.push(to_bytes(*colour));
+                }
+            }
+        }
         let mut samples = surface::samples(scene);
         for background in backgrounds {
             let weight = BACKGROUND_WEIGHT / (background.len() * backgrounds.len()) as f64;

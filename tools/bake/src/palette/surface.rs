@@ -3,11 +3,12 @@
 
 use std::f64::consts::PI;
 
-use fixel_scene::{Actor, Cull, Material, Projection, Scene, Shading};
+use fixel_scene::{Actor, Cull, Fog, Material, Projection, Scene, Shading};
 use glam::{DMat3, DMat4, DVec3};
 
 use super::choose::Sample;
 use super::light::{Point, lit};
+use crate::fog::{factor, fogged};
 
 /// Samples of an actor, about so many.
 const SAMPLES: f64 = 4096.0;
@@ -82,9 +83,15 @@ impl<'a> Surface<'a> {
             while due > each / 2.0 && each > 0.0 {
                 due -= each;
                 number += 1;
-                let colour = self.colour(triangle, spread(number));
+                let weights = spread(number);
+                let colour = self.colour(triangle, weights);
                 let weight = each / turns;
                 samples.push(Sample { colour, weight });
+                // Fog is laid over palette entries: both colours are needed.
+                if let Some(fog) = &self.scene.fog {
+                    let colour = fogged(fog, colour, self.fog(fog, triangle, weights));
+                    samples.push(Sample { colour, weight });
+                }
             }
         }
     }
@@ -108,6 +115,15 @@ impl<'a> Surface<'a> {
             Cull::Front => front,
             Cull::None => false,
         }
+    }
+
+    /// How much fog there is before a place on a face.
+    fn fog(&self, fog: &Fog, triangle: &[usize; 3], weights: [f64; 3]) -> f64 {
+        let camera = &self.scene.camera;
+        let eye = DVec3::from(camera.position);
+        let sight = (DVec3::from(camera.focal_point) - eye).normalize_or_zero();
+        let [a, b, c] = triangle.map(|i| (self.places[i] - eye).dot(sight));
+        factor(fog, a * weights[0] + b * weights[1] + c * weights[2])
     }
 
     /// Towards the eye.

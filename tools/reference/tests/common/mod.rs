@@ -53,6 +53,7 @@ fn scene(width: u32, height: u32, projection: Projection) -> Scene {
         materials: vec![material()],
         meshes: Vec::new(),
         actors: Vec::new(),
+        fog: None,
         animation: Animation::default(),
         palette: Palette::default(),
     }

@@ -7,6 +7,7 @@ mod annotation;
 mod camera;
 mod colour;
 mod display;
+mod fog;
 mod light;
 mod look;
 mod material;
@@ -56,12 +57,9 @@ const ROOT: Keys = Keys {
         "animation",
         "palette",
         "viewport",
+        "fog",
     ],
-    later: &[
-        ("fog", Neutral::Never),
-        ("plane", Neutral::Never),
-        ("ray", Neutral::Never),
-    ],
+    later: &[("plane", Neutral::Never), ("ray", Neutral::Never)],
 };
 
 /// Reads the scene file's text and the meshes that it names. Adds to `notes`
@@ -91,6 +89,8 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
     let aspect = f64::from(display.width) / f64::from(display.height);
     let camera = one(&root, "camera", &camera::CAMERA)?;
     let camera = camera::camera(camera.as_ref(), &bounds, aspect, &animation)?;
+    let fog = one(&root, "fog", &fog::FOG)?;
+    let fog = fog.as_ref().map(fog::fog).transpose()?;
     let viewports = viewport::viewports(&root, &bounds, &display)?;
     let lights = lights.unwrap_or_else(|| vec![headlight(&camera)]);
     Ok(Scene {
@@ -102,6 +102,7 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
         materials,
         meshes,
         actors,
+        fog,
         animation,
         palette,
     })

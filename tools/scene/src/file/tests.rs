@@ -151,6 +151,17 @@ messages! {
         => "t.toml:2: material.texture: is not supported yet";
     same_names: "[[material]]\nname = \"a\"\n[[material]]\nname = \"a\""
         => "t.toml:4: material.name: \"a\" is the name of another; expected a name of its own";
+    fog_density: "[fog]\ncolour = \"#808080\"\ndensity = 0.1"
+        => "t.toml:3: fog.density: means nothing here; fog of mode \"linear\" has start and end";
+    fog_end: "[fog]\ncolour = \"#808080\"\nstart = 5\nend = 4"
+        => "t.toml:4: fog.end: 4 is not beyond start 5; expected e.g. start = 10, end = 100";
+    fog_without_colour: "[fog]\nend = 4"
+        => "t.toml:1: fog.colour: is missing; expected e.g. colour = \"#c0c8d0\"";
+    fog_mode: "[fog]\nmode = \"thick\""
+        => "t.toml:2: fog.mode: \"thick\" is unknown; expected \"linear\" or \"exponential\" or \
+            \"exponential_squared\"";
+    fog_missing_density: "[fog]\nmode = \"exponential\"\ncolour = \"#808080\""
+        => "t.toml:1: fog.density: is missing; expected e.g. density = 0.02";
     viewport_key: "[[viewport]]\nx = 0"
         => "t.toml:2: viewport.x: is an unknown key; expected one of rectangle, camera, \
             background, aspect";

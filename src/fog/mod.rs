@@ -1,0 +1,98 @@
+//! Fog over finished pixels. In: the depths and indices of a
+//! [`Target`](crate::frame::Target), a view, and the scene's table of fogged
+//! indices. Out: the indices, fogged. Used by `render` between a viewport's opaque
+//! triangles and what lies over it.
+//!
+//! By then each pixel is decided, so that fog costs one look-up a pixel, however
+//! often it was drawn over and whatever it was shaded by. A pixel's depth says how
+//! far away it is; where nothing was drawn there is no fog, as in OpenGL and VTK.
+
+use crate::frame::Target;
+use crate::math::{Depth, reciprocal};
+use crate::scene::layout::FOG_ROWS;
+use crate::view::{DepthMap, ViewFrame};
+
+/// Steps between rows of a fog table.
+const STEPS: usize = FOG_ROWS - 1;
+
+/// Which depths belong to which row of the fog table, in one view.
+#[derive(Clone, Copy, Debug)]
+pub struct FogDepths {
+    /// Depths below the one at `r` are of row `r + 1` or a thicker one.
+    below: [Depth; STEPS],
+}
+
+impl FogDepths {
+    /// For `distances` along the line of sight at which each next row begins:
+    /// raw [`World`](crate::math::World) bits, not falling.
+    pub fn new(view: &ViewFrame, distances: &[i32; STEPS]) -> Self {
+        // Only a parallel view's near plane can be farther than a world length.
+        let bits = 64 - view.near.unsigned_abs().leading_zeros() as i32;
+        let down = (bits - 30).max(0);
+        let map = DepthMap::new(view, 16 - down, (view.near >> down) as i32);
+        let depth = |distance: i32| {
+            let distance = (distance >> down).max(1);
+            let depth = map.depth(distance, reciprocal(distance as u32));
+            ((depth.to_bits() + 8) >> 4) as Depth
+        };
+        Self {
+            below: distances.map(depth),
+        }
+    }
+
+    /// The row of a depth, found from that of a pixel nearby.
+    fn row(&self, depth: Depth, mut row: usize) -> usize {
+        while self.below.get(row).is_some_and(|below| depth < *below) {
+            row += 1;
+        }
+        while let Some(before) = row.checked_sub(1) {
+            if self.below.get(before).is_none_or(|below| depth < *below) {
+                break;
+            }
+            row = before;
+        }
+        row
+    }
+
+    /// The depths of a row: the least, and one past the largest.
+    fn range(&self, row: usize) -> (u32, u32) {
+        let least = self.below.get(row).map_or(1, |depth| u32::from(*depth));
+        let before = row.checked_sub(1).and_then(|row| self.below.get(row));
+        (least, before.map_or(1 << 16, |depth| u32::from(*depth)))
+    }
+}
+
+/// Fogs all that was drawn. Of `table`, a row says what each index becomes: the
+/// first is no fog, the last is all fog. About 9 instructions a pixel on Cortex-M4.
+pub fn apply(target: &mut Target<'_>, table: &[[u8; 256]; FOG_ROWS], depths: &FogDepths) {
+    let (width, stride) = (usize::from(target.width), usize::from(target.stride).max(1));
+    let rows = target.indices.chunks_mut(stride);
+    let mut row = 0;
+    for (indices, depths_here) in rows.zip(target.depths.chunks(stride)) {
+        let (mut least, mut end) = depths.range(row);
+        let mut shades = shades(table, row);
+        for (pixel, depth) in indices.iter_mut().zip(depths_here).take(width) {
+            let here = u32::from(*depth);
+            if here.wrapping_sub(least) >= end.wrapping_sub(least) {
+                if here == 0 {
+                    continue;
+                }
+                row = depths.row(*depth, row);
+                (least, end) = depths.range(row);
+                shades = self::shades(table, row);
+            }
+            #[expect(clippy::indexing_slicing, reason = "a byte indexes 256 entries")]
+            {
+                *pixel = shades[usize::from(*pixel)];
+            }
+        }
+    }
+}
+
+fn shades(table: &[[u8; 256]; FOG_ROWS], row: usize) -> &[u8; 256] {
+    #[expect(clippy::indexing_slicing, reason = "held below the array's length")]
+    &table[row % FOG_ROWS]
+}
+
+#[cfg(test)]
+mod tests;
