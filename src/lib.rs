@@ -37,11 +37,13 @@ pub mod display;
 pub mod fog;
 pub mod frame;
 mod include;
+pub mod light;
 pub mod math;
 pub mod palette;
 pub mod raster;
 pub mod render;
 pub mod scene;
+pub mod shade;
 pub mod vertex;
 pub mod view;
 

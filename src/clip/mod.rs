@@ -18,13 +18,39 @@ pub const MOST_VERTICES: usize = 9;
 #[derive(Clone, Copy, Debug)]
 pub struct Polygon {
     vertices: [ScreenVertex; MOST_VERTICES],
+    cuts: [Cut; MOST_VERTICES],
     count: usize,
+}
+
+/// Where a vertex of a clipped triangle is in it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cut {
+    /// Distance along the line of sight.
+    pub distance: i32,
+    /// Weights of the triangle's corners in space, [`WEIGHT_BITS`] fractional bits;
+    /// their sum is 1 to within rounding.
+    pub weights: [i32; 3],
+}
+
+/// Fractional bits of a [`Cut`]'s weights.
+pub const WEIGHT_BITS: u32 = 29;
+
+/// A vertex on the way through the planes.
+#[derive(Clone, Copy)]
+struct Point {
+    vertex: ClipVertex,
+    weights: [i32; 3],
 }
 
 impl Polygon {
     /// The vertices; fewer than 3 if nothing is left.
     pub fn vertices(&self) -> &[ScreenVertex] {
         self.vertices.get(..self.count).unwrap_or_default()
+    }
+
+    /// Where they are in the triangle.
+    pub fn cuts(&self) -> &[Cut] {
+        self.cuts.get(..self.count).unwrap_or_default()
     }
 }
 
@@ -40,13 +66,17 @@ const PLANES: [u8; 6] = [
 
 /// Clips a triangle against all planes.
 pub fn clip(view: &ActorView, triangle: [ClipVertex; 3]) -> Polygon {
-    let mut points = heapless::Vec::<ClipVertex, MOST_VERTICES>::from_iter(triangle);
+    const ONE: i32 = 1 << WEIGHT_BITS;
+    let corners = [[ONE, 0, 0], [0, ONE, 0], [0, 0, ONE]];
+    let corners = triangle.into_iter().zip(corners);
+    let corners = corners.map(|(vertex, weights)| Point { vertex, weights });
+    let mut points = heapless::Vec::<Point, MOST_VERTICES>::from_iter(corners);
     for plane in PLANES {
-        let inside = |v: &ClipVertex| signed_distance(view, plane, v) >= 0;
+        let inside = |p: &Point| signed_distance(view, plane, &p.vertex) >= 0;
         if points.iter().all(inside) {
             continue;
         }
-        let mut kept = heapless::Vec::<ClipVertex, MOST_VERTICES>::new();
+        let mut kept = heapless::Vec::<Point, MOST_VERTICES>::new();
         let Some(mut before) = points.last().copied() else {
             break;
         };
@@ -70,10 +100,17 @@ pub fn clip(view: &ActorView, triangle: [ClipVertex; 3]) -> Polygon {
     }
     let mut polygon = Polygon {
         vertices: [ScreenVertex::default(); MOST_VERTICES],
+        cuts: [Cut::default(); MOST_VERTICES],
         count: 0,
     };
-    for (slot, point) in polygon.vertices.iter_mut().zip(&points) {
-        *slot = project(view, &held(view, point));
+    let slots = polygon.vertices.iter_mut().zip(&mut polygon.cuts);
+    for ((vertex, cut), point) in slots.zip(&points) {
+        let held = held(view, &point.vertex);
+        *vertex = project(view, &held);
+        *cut = Cut {
+            distance: held.distance,
+            weights: point.weights,
+        };
         polygon.count += 1;
     }
     polygon
@@ -96,10 +133,11 @@ fn signed_distance(view: &ActorView, plane: u8, v: &ClipVertex) -> i64 {
 }
 
 /// Where an edge crosses a plane.
-fn crossing(view: &ActorView, plane: u8, inner: &ClipVertex, outer: &ClipVertex) -> ClipVertex {
+fn crossing(view: &ActorView, plane: u8, inner: &Point, outer: &Point) -> Point {
+    let (a, b) = (&inner.vertex, &outer.vertex);
     let (from, to) = (
-        signed_distance(view, plane, inner),
-        signed_distance(view, plane, outer),
+        signed_distance(view, plane, a),
+        signed_distance(view, plane, b),
     );
     let span = (from - to).max(1);
     // 34 bits at most: brought to 30 so that the products fit.
@@ -110,12 +148,17 @@ fn crossing(view: &ActorView, plane: u8, inner: &ClipVertex, outer: &ClipVertex)
         let way = (way + span / 2).checked_div_euclid(span).unwrap_or(0);
         (i64::from(a) + way) as i32
     };
-    ClipVertex {
-        x: part(inner.x, outer.x),
-        y: part(inner.y, outer.y),
-        distance: part(inner.distance, outer.distance),
-        level: part(inner.level, outer.level),
+    let vertex = ClipVertex {
+        x: part(a.x, b.x),
+        y: part(a.y, b.y),
+        distance: part(a.distance, b.distance),
+        level: part(a.level, b.level),
+    };
+    let mut weights = inner.weights;
+    for (weight, other) in weights.iter_mut().zip(outer.weights) {
+        *weight = part(*weight, other);
     }
+    Point { vertex, weights }
 }
 
 /// A vertex on a plane may have rounded to its outer side: taken back.

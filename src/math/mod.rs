@@ -4,11 +4,14 @@
 
 mod angle;
 mod formats;
+mod length;
+mod octahedral;
+mod power;
 mod quotient;
 mod recip;
 mod rect;
 mod rotation;
-mod rsqrt;
+mod scaled;
 mod transform;
 mod vector;
 mod wide;
@@ -17,11 +20,16 @@ pub use angle::Angle;
 pub use formats::{
     Depth, Factor, FineDepth, FineLevel, HALF_PX, Level, MAX_SCREEN, SUBPX_BITS, SubPx, World,
 };
+pub use length::{ShortUnit, direction, reciprocal_root, scaled_reciprocal, short_dot};
+pub(crate) use octahedral::decode_octahedral;
+#[cfg(test)]
+use octahedral::normal_length_recip;
+pub use power::power;
 pub use quotient::Divider;
 pub use recip::{Reciprocal, reciprocal};
 pub use rect::Rect;
 pub use rotation::Rotation;
-pub(crate) use rsqrt::normal_length_recip;
+pub use scaled::Scaled;
 pub(crate) use transform::view_rotation;
 pub use transform::{Clip, Model, Space, Transform, View, World as WorldSpace};
 pub use vector::{Unit3, Vec3, cross, dot, normalise};

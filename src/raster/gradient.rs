@@ -157,6 +157,33 @@ impl Plane {
         }
         i32::try_from((product + (1i64 << (by - 1))) >> by).ok()
     }
+
+    /// The gradient of an attribute of up to 31 bits and a sign, whose differences
+    /// fit as many: a pixel's change, 16 fractional bits. `None` above 2^30 a pixel.
+    pub(super) fn wide_gradient(&self, v1: i32, v2: i32) -> Option<[i64; 2]> {
+        let ([x1, y1], [x2, y2]) = (self.d1, self.d2);
+        let product = |a: i32, b: i32| i64::from(a) * i64::from(b);
+        Some([
+            self.divide_wide(product(v1, y2) - product(v2, y1))?,
+            self.divide_wide(product(x1, v2) - product(x2, v1))?,
+        ])
+    }
+
+    /// `n / |area|` a pixel, with 16 fractional bits, below 2^46.
+    fn divide_wide(&self, n: i64) -> Option<i64> {
+        const MOST: i64 = 1 << 46;
+        let down = (33 - n.unsigned_abs().leading_zeros() as i32).max(0);
+        let product = (n >> down) * i64::from(self.recip.mantissa);
+        let up = down + self.recip.shift as i32 - self.scale - 62 + self.bits + 16;
+        let quotient = if up >= 0 {
+            let up = up.min(31);
+            (product.abs() <= MOST >> up).then_some(product << up)?
+        } else {
+            let by = up.wrapping_neg().min(62);
+            (product + (1i64 << (by - 1))) >> by
+        };
+        (quotient.abs() <= MOST).then_some(quotient)
+    }
 }
 
 impl Gradient {

@@ -11,11 +11,14 @@ mod attribute;
 mod attributes;
 mod edge;
 mod gradient;
+mod kernels;
 mod perspective;
 mod scan;
 mod sliver;
 mod span;
+mod surface;
 mod triangle;
 
 pub use span::Fill;
+pub use surface::{Corner, MOST_ATTRIBUTES, RUN_FRACTION, Run, SurfaceKind, Values, draw_surface};
 pub use triangle::{Drawn, Sides, draw_triangle};

@@ -66,17 +66,21 @@ pub(super) struct Span<'t> {
     pub place: [i32; 2],
 }
 
-/// Walks the rows of a triangle. Attributes are set up by `setup` when the first
-/// pixel is found; `draw` gets each span, and `sliver` those of a triangle for
-/// which `setup` found none.
+/// How a triangle is filled.
+pub(super) trait Kernel {
+    /// What it needs to know on a row.
+    type Planes: Stepped;
+    /// On the row of the first pixel; `None` if it exceeds the formats.
+    fn setup(&self, plane: &Plane, row: i32) -> Option<Self::Planes>;
+    /// Fills a span.
+    fn draw(&mut self, span: Span<'_>, planes: &Self::Planes);
+    /// Fills a span of a triangle that `setup` gave up on.
+    fn sliver(&mut self, span: Span<'_>);
+}
+
+/// Walks the rows of a triangle.
 #[inline(always)]
-pub(super) fn scan<A: Stepped>(
-    target: &mut Target<'_>,
-    shape: &Shape<'_>,
-    setup: impl Fn(&Plane, i32) -> Option<A>,
-    mut draw: impl FnMut(Span<'_>, &A),
-    mut sliver: impl FnMut(Span<'_>),
-) {
+pub(super) fn scan<K: Kernel>(target: &mut Target<'_>, shape: &Shape<'_>, kernel: &mut K) {
     let [top, middle, bottom] = shape.sorted;
     let (first, end) = shape.rows;
     let (width, stride) = (i32::from(target.width), i32::from(target.stride));
@@ -103,7 +107,9 @@ pub(super) fn scan<A: Stepped>(
                 let (left, right) = sides.span();
                 if left < right {
                     let plane = Plane::new(shape.sorted, shape.area);
-                    planes = setup(&plane, row).map_or(Planes::Sliver, Planes::Stepped);
+                    planes = kernel
+                        .setup(&plane, row)
+                        .map_or(Planes::Sliver, Planes::Stepped);
                     break;
                 }
                 sides.advance();
@@ -123,9 +129,11 @@ pub(super) fn scan<A: Stepped>(
                     row,
                     to,
                 };
-                *at = step(target, rows, &mut sides, *at, &mut draw);
+                *at = step(target, rows, &mut sides, *at, kernel);
             }
-            Planes::Sliver => sliver_rows(target, row..to, &mut sides, &mut sliver),
+            Planes::Sliver => {
+                sliver_rows(target, row..to, &mut sides, &mut |span| kernel.sliver(span));
+            }
         }
     }
 }
@@ -144,13 +152,13 @@ struct Rows {
 
 /// Draws rows with stepped attributes; gives them as they are after the last row.
 #[inline(always)]
-fn step<A: Stepped>(
+fn step<K: Kernel>(
     target: &mut Target<'_>,
     rows: Rows,
     sides: &mut Between<'_>,
-    mut at: A,
-    draw: &mut impl FnMut(Span<'_>, &A),
-) -> A {
+    mut at: K::Planes,
+    kernel: &mut K,
+) -> K::Planes {
     let mut start = rows.start;
     for row in rows.row..rows.to {
         let (left, right) = sides.span();
@@ -166,7 +174,7 @@ fn step<A: Stepped>(
                     depths,
                     place,
                 };
-                draw(span, &at);
+                kernel.draw(span, &at);
             }
         }
         at.advance();

@@ -10,7 +10,7 @@ use super::span::Fill;
 use crate::math::Depth;
 
 /// Fractional bits of a weight.
-const WEIGHT_BITS: u32 = 20;
+pub(super) const WEIGHT_BITS: u32 = 20;
 
 /// Fills a span.
 #[cold]
@@ -48,7 +48,7 @@ pub(super) fn span(span: Span<'_>, shape: &Shape<'_>, fill: Fill<'_>) {
 }
 
 /// Weights of the second and the third vertex at a pixel's centre.
-fn weights([a, b, c]: [Place; 3], area: i64, pixel: [i32; 2]) -> [i64; 2] {
+pub(super) fn weights([a, b, c]: [Place; 3], area: i64, pixel: [i32; 2]) -> [i64; 2] {
     const HALF: i64 = 1 << (UNROUNDED_BITS - 1);
     let [px, py] = pixel.map(|p| (i64::from(p) << UNROUNDED_BITS) + HALF);
     let edge = |p: Place, q: Place| {
@@ -80,7 +80,7 @@ fn in_space([_, b, c]: [i64; 3], [wb, wc]: [i64; 2], here: i64) -> [i64; 2] {
 }
 
 /// The weighted mean, held within the three values.
-fn mix([a, b, c]: [i64; 3], [wb, wc]: [i64; 2]) -> i64 {
+pub(super) fn mix([a, b, c]: [i64; 3], [wb, wc]: [i64; 2]) -> i64 {
     let mean = a + (((b - a) * wb + (c - a) * wc) >> WEIGHT_BITS);
     mean.max(a.min(b).min(c)).min(a.max(b).max(c))
 }

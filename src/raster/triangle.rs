@@ -1,10 +1,9 @@
 //! A triangle becomes spans.
 
-use super::attributes::Attributes;
+use super::kernels::{Flat, Gouraud, InPerspective};
 use super::perspective;
-use super::scan::{Shape, Span, scan};
-use super::sliver;
-use super::span::{self, Fill};
+use super::scan::{Shape, scan};
+use super::span::Fill;
 use crate::frame::Target;
 use crate::math::{HALF_PX, SUBPX_BITS};
 use crate::vertex::ScreenVertex;
@@ -65,12 +64,28 @@ pub fn draw_triangle<'f>(
     perspective: bool,
     fill: impl FnOnce() -> Fill<'f>,
 ) -> Drawn {
+    let (area, rows) = match shown(target, triangle, sides) {
+        Ok(shown) => shown,
+        Err(drawn) => return drawn,
+    };
+    fill_triangle(target, triangle, area, rows, perspective, fill());
+    Drawn::Filled
+}
+
+/// The doubled area and the rows of a triangle that shows one of `sides` and may
+/// have pixels in the target.
+#[inline(always)]
+pub(super) fn shown(
+    target: &Target<'_>,
+    triangle: [&ScreenVertex; 3],
+    sides: Sides,
+) -> Result<(i64, (i32, i32)), Drawn> {
     // Many triangles of a fine mesh lie between pixel centres, and in a band
     // most lie in other rows.
     let (clip_top, clip_end) = (i32::from(target.top), i32::from(target.end));
     let (first, end) = centres(triangle.map(|v| v.y.to_bits()), clip_top, clip_end);
     if first >= end {
-        return Drawn::Missed;
+        return Err(Drawn::Missed);
     }
     let area = doubled_area(triangle);
     // y points down.
@@ -80,14 +95,13 @@ pub fn draw_triangle<'f>(
         sides.back && area > 0
     };
     if !shown {
-        return Drawn::Away;
+        return Err(Drawn::Away);
     }
     let columns = centres(triangle.map(|v| v.x.to_bits()), 0, target.width.into());
     if columns.0 >= columns.1 {
-        return Drawn::Missed;
+        return Err(Drawn::Missed);
     }
-    fill_triangle(target, triangle, area, (first, end), perspective, fill());
-    Drawn::Filled
+    Ok((area, (first, end)))
 }
 
 #[inline(never)]
@@ -99,76 +113,60 @@ fn fill_triangle(
     perspective: bool,
     fill: Fill<'_>,
 ) {
-    let (sorted, area) = sort(triangle, area);
+    let (sorted, area) = sort(triangle.map(|v| (v, ())), area);
+    let sorted = sorted.map(|(v, ())| v);
     let shape = Shape {
         sorted,
         area,
         rows,
         perspective: perspective && matches!(fill, Fill::Gouraud(_)) && perspective::shows(sorted),
     };
-    let [top, ..] = sorted;
-    let column = top.x.to_bits() >> SUBPX_BITS;
-    let sliver = |span: Span<'_>| sliver::span(span, &shape, fill);
     match fill {
         Fill::Flat(index) => scan(
             target,
             &shape,
-            |plane, row| Attributes::depth(plane, &shape, row),
-            |Span {
-                 indices,
-                 depths,
-                 place: [left, _],
-             },
-             at| {
-                let z = at.z.at(left - column);
-                span::flat(indices, depths, z, at.z.gradient.x, index);
+            &mut Flat {
+                shape: &shape,
+                index,
             },
-            sliver,
         ),
-        Fill::Gouraud(shades) if shape.perspective => scan(
-            target,
-            &shape,
-            |plane, row| Attributes::for_perspective(plane, &shape, row),
-            |Span {
-                 indices,
-                 depths,
-                 place: [left, _],
-             },
-             at| {
-                let columns = left - column;
-                perspective::gouraud(indices, depths, (&at.z, &at.level), columns, shades);
-            },
-            sliver,
-        ),
+        Fill::Gouraud(shades) if shape.perspective => {
+            scan(
+                target,
+                &shape,
+                &mut InPerspective {
+                    shape: &shape,
+                    shades,
+                },
+            );
+        }
         Fill::Gouraud(shades) => scan(
             target,
             &shape,
-            |plane, row| Attributes::depth_and_level(plane, &shape, row),
-            |Span {
-                 indices,
-                 depths,
-                 place: [left, _],
-             },
-             at| {
-                let z = (at.z.at(left - column), at.z.gradient.x);
-                let level = (at.level.at(left - column), at.level.gradient.x);
-                span::gouraud(indices, depths, z, level, shades);
+            &mut Gouraud {
+                shape: &shape,
+                shades,
             },
-            sliver,
         ),
     }
 }
 
+/// A vertex and what goes with it.
+type With<'a, T> = (&'a ScreenVertex, T);
+
 /// From the highest to the lowest. The area's sign follows the winding.
 #[inline(always)]
-fn sort([mut a, mut b, mut c]: [&ScreenVertex; 3], mut area: i64) -> ([&ScreenVertex; 3], i64) {
-    if a.y > b.y {
+pub(super) fn sort<T>(
+    [mut a, mut b, mut c]: [With<'_, T>; 3],
+    mut area: i64,
+) -> ([With<'_, T>; 3], i64) {
+    if a.0.y > b.0.y {
         (a, b, area) = (b, a, -area);
     }
-    if b.y > c.y {
+    if b.0.y > c.0.y {
         (b, c, area) = (c, b, -area);
     }
-    if a.y > b.y {
+    if a.0.y > b.0.y {
         (a, b, area) = (b, a, -area);
     }
     ([a, b, c], area)

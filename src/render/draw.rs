@@ -3,14 +3,14 @@
 use super::meshlet_cache::MeshletCache;
 use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
+use super::surface::draw_surface_meshlet;
+use super::triangles::triangles;
 use super::visible_list::Entry;
-use crate::clip::clip;
 use crate::frame::Target;
 use crate::raster::{Sides, draw_triangle};
-use crate::scene::layout::MESHLET_VERTICES;
 use crate::scene::{Cull, Meshlet, Scene, Shading};
-use crate::vertex::{ScreenVertex, TransformedMeshlet, transform_meshlet, vertex};
-use crate::view::{ActorView, MeshletRows, round_level};
+use crate::vertex::{TransformedMeshlet, transform_meshlet};
+use crate::view::{ActorView, round_level};
 
 /// Draws the triangles of a listed meshlet into its viewport's rows.
 pub(super) fn draw_meshlet<P: Paint>(
@@ -31,85 +31,76 @@ pub(super) fn draw_meshlet<P: Paint>(
         stats.vertices += u32::from(meshlet.vertices);
         transform_meshlet(scene, view, &meshlet, out);
     });
-    let Some(vertices) = transformed else { return };
+    let Some(transformed) = transformed else {
+        return;
+    };
+    let part = Part {
+        scene,
+        view,
+        actor: entry.actor,
+        meshlet: &meshlet,
+        transformed,
+    };
+    if cfg!(feature = "light") && view.material.is_surface() {
+        draw_surface_meshlet(paint, &part, target, stats);
+    } else {
+        draw_plain_meshlet(paint, &part, target, stats);
+    }
+}
 
+/// A meshlet of an actor, ready to be drawn.
+pub(super) struct Part<'a> {
+    pub scene: &'a Scene<'a>,
+    pub view: &'a ActorView,
+    pub actor: u16,
+    pub meshlet: &'a Meshlet,
+    pub transformed: &'a TransformedMeshlet,
+}
+
+impl Part<'_> {
+    /// Whose pixels those of a triangle are.
+    #[inline(always)]
+    pub(super) fn ids(&self, triangle: usize) -> Ids {
+        Ids {
+            actor: self.actor,
+            triangle: self.meshlet.first_triangle + triangle as u32,
+        }
+    }
+
+    pub(super) fn sides(&self) -> Sides {
+        let cull = self.view.material.cull;
+        Sides {
+            front: cull != Cull::Front,
+            back: cull != Cull::Back,
+        }
+    }
+}
+
+/// A meshlet whose triangles have one light level, or one at each corner.
+fn draw_plain_meshlet<P: Paint>(
+    paint: &P,
+    part: &Part<'_>,
+    target: &mut Target<'_>,
+    stats: &mut FrameStats,
+) {
+    let Part {
+        scene,
+        view,
+        meshlet,
+        ..
+    } = *part;
     let shades = scene.shade(&view.material);
     let flat = view.material.shading == Shading::Flat;
-    let sides = sides(view.material.cull);
-    let normals = scene.meshlet_face_normals(&meshlet, &view.mesh);
-    stats.triangles += u32::from(meshlet.triangles);
-    for (i, indices) in scene.meshlet_triangles(&meshlet).iter().enumerate() {
-        let triangle = indices.map(|index| corner(vertices, index));
-        let [a, b, c] = triangle.map(|v| v.outside);
-        if a & b & c != 0 {
-            stats.triangles_outside += 1;
-            continue;
-        }
+    let normals = scene.meshlet_face_normals(meshlet, &view.mesh);
+    let sides = part.sides();
+    triangles(scene, view, meshlet, part.transformed, stats, |triangle| {
         let fill = || {
             let level = flat.then(|| {
-                let normal = normals.get(i).copied().unwrap_or_default();
+                let normal = normals.get(triangle.number).copied().unwrap_or_default();
                 round_level(view.lights.face_level(u32::from_le(normal)))
             });
-            let triangle = meshlet.first_triangle + i as u32;
-            paint.fill(
-                shades,
-                level,
-                Ids {
-                    actor: entry.actor,
-                    triangle,
-                },
-            )
+            paint.fill(shades, level, part.ids(triangle.number))
         };
-        if a | b | c == 0 {
-            stats.count(draw_triangle(
-                target,
-                triangle,
-                sides,
-                view.perspective,
-                fill,
-            ));
-            continue;
-        }
-        stats.triangles_clipped += 1;
-        let polygon = clip(view, clip_corners(scene, view, &meshlet, indices));
-        let Some((first, rest)) = polygon.vertices().split_first() else {
-            continue;
-        };
-        for (b, c) in rest.iter().zip(rest.iter().skip(1)) {
-            stats.count(draw_triangle(
-                target,
-                [first, b, c],
-                sides,
-                view.perspective,
-                fill,
-            ));
-        }
-    }
-}
-
-/// A meshlet's vertex by index.
-#[inline(always)]
-fn corner(vertices: &TransformedMeshlet, index: u8) -> &ScreenVertex {
-    #[expect(clippy::indexing_slicing, reason = "held below the array's length")]
-    &vertices[usize::from(index) % MESHLET_VERTICES]
-}
-
-fn sides(cull: Cull) -> Sides {
-    Sides {
-        front: cull != Cull::Front,
-        back: cull != Cull::Back,
-    }
-}
-
-/// The corners of a triangle in clip space. Kept vertices have no clip
-/// coordinates: they are made again for the few triangles that need them.
-#[cold]
-fn clip_corners(
-    scene: &Scene<'_>,
-    view: &ActorView,
-    meshlet: &Meshlet,
-    indices: &[u8; 3],
-) -> [crate::vertex::ClipVertex; 3] {
-    let rows = MeshletRows::new(view, meshlet);
-    indices.map(|index| vertex(scene, &rows, view, meshlet, index))
+        draw_triangle(target, triangle.corners, sides, view.perspective, fill)
+    });
 }

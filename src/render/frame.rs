@@ -25,7 +25,10 @@ pub fn render_frame<D: Display>(
     band: &mut Band<'_>,
     display: &mut D,
 ) -> Result<FrameStats, D::Error> {
-    render_frame_with(&Shaded, scene, pose, work, band, display)
+    let paint = Shaded {
+        dither: scene.dither(),
+    };
+    render_frame_with(&paint, scene, pose, work, band, display)
 }
 
 /// Draws a frame whose indices mean what `paint` says; see [`render_frame`].

@@ -1,8 +1,6 @@
 //! Transformed meshlets, kept from band to band.
 
-use crate::math::{FineDepth, FineLevel, SubPx};
-use crate::scene::layout::MESHLET_VERTICES;
-use crate::vertex::{Rest, ScreenVertex, TransformedMeshlet};
+use crate::vertex::TransformedMeshlet;
 
 /// Room for one transformed meshlet.
 #[derive(Clone, Copy, Debug)]
@@ -18,14 +16,7 @@ impl Slot {
     pub(super) const EMPTY: Self = Self {
         key: None,
         until: 0,
-        vertices: [ScreenVertex {
-            x: SubPx::ZERO,
-            y: SubPx::ZERO,
-            z: FineDepth::ZERO,
-            level: FineLevel::ZERO,
-            outside: 0,
-            rest: Rest::NONE,
-        }; MESHLET_VERTICES],
+        vertices: TransformedMeshlet::EMPTY,
     };
 }
 

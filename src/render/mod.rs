@@ -10,10 +10,12 @@ mod meshlet_cache;
 mod paint;
 mod scratch;
 mod stats;
+mod surface;
+mod triangles;
 mod viewports;
 mod visible_list;
 
 pub use frame::{render_frame, render_frame_with};
-pub use paint::{Ids, Paint, PaintActor, PaintLevel, PaintTriangle, Shaded};
+pub use paint::{Ids, Paint, PaintActor, PaintLight, PaintTriangle, Shaded};
 pub use scratch::{Scratch, Workspace};
 pub use stats::FrameStats;

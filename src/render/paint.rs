@@ -1,8 +1,11 @@
 //! What a pixel's index means: the scene's colours, or for picking, measuring
 //! and debugging something else, through the same kernels.
 
+use crate::light::Lit;
 use crate::math::Level;
 use crate::raster::Fill;
+use crate::scene::Dither;
+use crate::shade::{Lookup, dithered};
 
 /// Whose pixel it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,11 +27,17 @@ pub trait Paint {
 
     /// The index where nothing is drawn, given the scene's.
     fn background(&self, index: u8) -> u8;
+
+    /// The index of a surface's pixel at a screen column and row, for the light there.
+    fn surface(&self, lookup: Lookup<'_>, lit: Lit, place: [i32; 2], ids: Ids) -> u8;
 }
 
 /// The scene as it looks.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Shaded;
+#[derive(Clone, Copy, Debug)]
+pub struct Shaded {
+    /// How colours between palette entries are shown; see [`Scene::dither`](crate::Scene::dither).
+    pub dither: Dither,
+}
 
 impl Paint for Shaded {
     const FOGGED: bool = true;
@@ -46,11 +55,20 @@ impl Paint for Shaded {
     fn background(&self, index: u8) -> u8 {
         index
     }
+
+    #[inline(always)]
+    fn surface(&self, lookup: Lookup<'_>, lit: Lit, place: [i32; 2], _: Ids) -> u8 {
+        dithered(lookup, lit, self.dither, place)
+    }
 }
 
-/// The light level itself, 0 where nothing is.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct PaintLevel;
+/// The light itself, 0 where nothing is: the level, or of a material that goes by
+/// colour one channel.
+#[derive(Clone, Copy, Debug)]
+pub struct PaintLight {
+    /// 0: red, 1: green, 2: blue.
+    pub channel: u8,
+}
 
 /// Each level as it is.
 const LEVELS: &[u8; 256] = &levels();
@@ -68,13 +86,18 @@ const fn levels() -> [u8; 256] {
     table
 }
 
-impl Paint for PaintLevel {
+impl Paint for PaintLight {
     fn fill<'a>(&self, _: &'a [u8; 256], flat: Option<Level>, _: Ids) -> Fill<'a> {
         flat.map_or(Fill::Gouraud(LEVELS), Fill::Flat)
     }
 
     fn background(&self, _: u8) -> u8 {
         0
+    }
+
+    fn surface(&self, _: Lookup<'_>, lit: Lit, _: [i32; 2], _: Ids) -> u8 {
+        let channel = lit.get(usize::from(self.channel)).copied();
+        ((channel.unwrap_or(0) + 32) >> 6) as u8
     }
 }
 
@@ -93,6 +116,10 @@ impl Paint for PaintActor {
     fn background(&self, _: u8) -> u8 {
         0
     }
+
+    fn surface(&self, _: Lookup<'_>, _: Lit, _: [i32; 2], ids: Ids) -> u8 {
+        byte_of(u32::from(ids.actor), self.byte)
+    }
 }
 
 /// One byte of the triangle's place in the scene's list, 0 where nothing is
@@ -110,6 +137,10 @@ impl Paint for PaintTriangle {
 
     fn background(&self, _: u8) -> u8 {
         0
+    }
+
+    fn surface(&self, _: Lookup<'_>, _: Lit, _: [i32; 2], ids: Ids) -> u8 {
+        byte_of(ids.triangle, self.byte)
     }
 }
 

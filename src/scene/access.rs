@@ -1,7 +1,10 @@
 //! Accessors that cannot fail: indices were checked when the scene was parsed.
 
 use super::viewport::Gradient;
-use super::{Actor, ColourFormat, Header, Light, Material, Mesh, Meshlet, Record, Scene, Shading};
+use super::{
+    Actor, ColourFormat, Dither, DitherPattern, Header, Light, Material, Mesh, Meshlet, Record,
+    Scene, layout,
+};
 
 impl<'a> Scene<'a> {
     /// Screen width in pixels.
@@ -33,6 +36,18 @@ impl<'a> Scene<'a> {
             .unwrap_or(ColourFormat::Rgb888)
     }
 
+    /// How colours between palette entries are shown.
+    pub fn dither(&self) -> Dither {
+        let code = usize::from(self.header.dither_pattern);
+        Dither {
+            pattern: DitherPattern::ALL
+                .get(code)
+                .copied()
+                .unwrap_or(DitherPattern::None),
+            spread: self.header.dither_spread,
+        }
+    }
+
     /// Red, green, blue of each palette entry, 2..=256 of them.
     pub fn palette(&self) -> &'a [[u8; 3]] {
         self.palette
@@ -51,7 +66,13 @@ impl<'a> Scene<'a> {
             .unwrap_or(BLACK)
     }
 
-    /// Lights that have a direction.
+    /// Palette index by colour: 4 bits each of red (highest), green and blue.
+    pub fn colours(&self) -> &'a [u8; layout::COLOURS] {
+        const BLACK: &[u8; layout::COLOURS] = &[0; layout::COLOURS];
+        self.colours.first().unwrap_or(BLACK)
+    }
+
+    /// Lights that have a direction or a place.
     pub fn lights(&self) -> impl ExactSizeIterator<Item = Light> + use<'a> {
         self.lights.iter().map(Light::from_words)
     }
@@ -83,13 +104,7 @@ impl<'a> Scene<'a> {
 
     /// A material; an index out of range gives a plain one.
     pub fn material(&self, index: u16) -> Material {
-        read(self.materials, usize::from(index)).unwrap_or(Material {
-            shading: Shading::Gouraud,
-            cull: super::Cull::Back,
-            shade: 0,
-            ambient: 0,
-            diffuse: 0,
-        })
+        read(self.materials, usize::from(index)).unwrap_or(Material::PLAIN)
     }
 
     /// Number of meshes.
@@ -102,9 +117,10 @@ impl<'a> Scene<'a> {
         read(self.meshes, usize::from(index)).unwrap_or(Mesh {
             first_meshlet: 0,
             meshlets: 0,
-            radius: super::layout::LEAST_RADIUS,
+            radius: layout::LEAST_RADIUS,
             face_normals: false,
             fine: None,
+            colours: None,
         })
     }
 
@@ -130,6 +146,7 @@ impl<'a> Scene<'a> {
             + size_of_val(self.triangles)
             + size_of_val(self.face_normals)
             + size_of_val(self.fine)
+            + size_of_val(self.vertex_colours)
     }
 
     /// A meshlet by its place in the scene's list.
@@ -156,6 +173,19 @@ impl<'a> Scene<'a> {
         };
         run(
             self.fine,
+            meshlet.first_vertex.wrapping_add(offset) as usize,
+            meshlet.vertices,
+        )
+    }
+
+    /// Red, green and blue of a meshlet's vertices, and a byte of 0; empty if its
+    /// mesh has none.
+    pub fn meshlet_colours(&self, meshlet: &Meshlet, mesh: &Mesh) -> &'a [[u8; 4]] {
+        let Some(offset) = mesh.colours else {
+            return &[];
+        };
+        run(
+            self.vertex_colours,
             meshlet.first_vertex.wrapping_add(offset) as usize,
             meshlet.vertices,
         )

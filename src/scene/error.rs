@@ -24,6 +24,8 @@ pub enum Section {
     Keys,
     Fog,
     FogTable,
+    VertexColours,
+    Colours,
 }
 
 impl Section {
@@ -47,6 +49,8 @@ impl Section {
         Self::Keys,
         Self::Fog,
         Self::FogTable,
+        Self::VertexColours,
+        Self::Colours,
     ];
 }
 
@@ -90,6 +94,13 @@ pub enum Field {
     FirstKey,
     Frame,
     Distance,
+    VertexColours,
+    Kind,
+    Attenuation,
+    Cone,
+    Power,
+    Coloured,
+    Dither,
 }
 
 /// Why a blob was refused. Nothing of a refused blob is used.

@@ -27,6 +27,10 @@ pub struct Header {
     pub turntable: u32,
     /// Frames after which the tracks start again; 0: never.
     pub frames: u32,
+    /// Code of the [`DitherPattern`](super::DitherPattern).
+    pub dither_pattern: u8,
+    /// See [`Dither::spread`](super::Dither::spread).
+    pub dither_spread: u16,
     /// Eye, raw [`World`](crate::math::World) bits.
     pub position: [i32; 3],
     /// What is in the middle of the picture.
@@ -76,6 +80,7 @@ impl Record for Header {
             c1,
             c2,
             frames,
+            dither,
         ] = *words;
         let [format, exponent, centre_exponent, range_exponent] = format.to_ne_bytes();
         Self {
@@ -89,6 +94,8 @@ impl Record for Header {
             centre_exponent: centre_exponent as i8,
             turntable: u(turntable),
             frames: u(frames),
+            dither_pattern: u(dither) as u8,
+            dither_spread: (u(dither) >> 16) as u16,
             position: [i(p0), i(p1), i(p2)],
             focal_point: [i(f0), i(f1), i(f2)],
             view_up: [i(u0), i(u1), i(u2)],
@@ -134,6 +141,7 @@ impl Record for Header {
             c1,
             c2,
             self.frames.to_le(),
+            (u32::from(self.dither_pattern) | u32::from(self.dither_spread) << 16).to_le(),
         ]
     }
 }

@@ -7,8 +7,11 @@ mod camera_record;
 mod error;
 mod fog;
 mod header;
+mod light;
+mod material;
 mod moves;
 mod parse;
+mod parse_light;
 mod pose;
 mod records;
 mod track;
@@ -18,11 +21,11 @@ pub use camera_record::CameraRecord;
 pub use error::{Field, SceneError, Section};
 pub use fog::{Fog, FogMode};
 pub use header::Header;
+pub use light::{Light, LightKind};
+pub use material::{Channels, Cull, Dither, DitherPattern, Material, Shading};
 pub use parse::Scene;
 pub use pose::{Camera, Place, Placement, Pose, Projection};
-pub use records::{
-    Actor, ColourFormat, Cull, Light, Material, Mesh, Meshlet, Record, Shading, checksum,
-};
+pub use records::{Actor, ColourFormat, Mesh, Meshlet, Record, checksum};
 pub use track::{Key, Quantity, Track};
 pub use viewport::{FULL_SIDE, Gradient, PlacedViewport, Viewport};
 
@@ -33,18 +36,20 @@ pub mod layout {
     /// Version of the layout. A reader refuses any other.
     pub const VERSION: u32 = 1;
     /// Words of the header, before the section table.
-    pub const HEADER_WORDS: usize = 24;
+    pub const HEADER_WORDS: usize = 25;
     /// Sections; each has two words in the table: byte offset and count.
-    pub const SECTIONS: usize = 18;
+    pub const SECTIONS: usize = 20;
     /// Bytes before the first section.
     pub const PREFIX_BYTES: usize = 4 * (HEADER_WORDS + 2 * SECTIONS);
     /// Where the checksum starts: after magic, version, length, checksum.
     pub const CHECKED_FROM: usize = 16;
+    /// Colours that the look-up tells apart: 4 bits each of red, green and blue.
+    pub const COLOURS: usize = 1 << 12;
     /// Vertices in a meshlet.
     pub const MESHLET_VERTICES: usize = 64;
     /// Triangles in a meshlet.
     pub const MESHLET_TRIANGLES: usize = 128;
-    /// Lights with a direction.
+    /// Lights with a direction or a place.
     pub const LIGHTS: usize = 8;
     /// Rows of a fog table: from no fog to nothing but fog, in even steps.
     pub const FOG_ROWS: usize = 32;

@@ -5,8 +5,8 @@ use bytemuck::{AnyBitPattern, try_cast_slice};
 
 use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
 use super::{
-    Actor, ColourFormat, Field, Fog, Header, Key, Light, Material, Mesh, Meshlet, Record,
-    SceneError, Section, Track, Viewport, checksum,
+    Actor, ColourFormat, DitherPattern, Field, Fog, Header, Key, Light, Material, Mesh, Meshlet,
+    Record, SceneError, Section, Track, Viewport, checksum,
 };
 
 /// A checked scene, read in place from flash.
@@ -31,6 +31,8 @@ pub struct Scene<'a> {
     pub(crate) keys: &'a [<Key as Record>::Words],
     pub(crate) fog: &'a [<Fog as Record>::Words],
     pub(crate) fog_table: &'a [[u8; 256]],
+    pub(crate) vertex_colours: &'a [[u8; 4]],
+    pub(crate) colours: &'a [[u8; layout::COLOURS]],
 }
 
 impl<'a> Scene<'a> {
@@ -93,8 +95,12 @@ impl<'a> Scene<'a> {
             keys: section(bytes, &mut table)?,
             fog: section(bytes, &mut table)?,
             fog_table: section(bytes, &mut table)?,
+            vertex_colours: section(bytes, &mut table)?,
+            colours: section(bytes, &mut table)?,
         };
         scene.check_colours()?;
+        scene.check_lights()?;
+        scene.check_materials()?;
         scene.check_actors()?;
         scene.check_meshes()?;
         scene.check_viewports()?;
@@ -124,52 +130,9 @@ impl<'a> Scene<'a> {
         for (i, index) in self.shades.as_flattened().iter().enumerate() {
             index_ok(Section::Shades, i / 256, index)?;
         }
-        count(Section::Lights, self.lights.len(), 0, layout::LIGHTS)?;
-        for (i, words) in self.lights.iter().enumerate() {
-            let light = Light::from_words(words);
-            range(
-                Section::Lights,
-                i,
-                Field::Intensity,
-                light.intensity.into(),
-                0,
-                32 << 16,
-            )?;
-            for c in light.towards {
-                range(
-                    Section::Lights,
-                    i,
-                    Field::Direction,
-                    c.into(),
-                    -(1 << 30),
-                    1 << 30,
-                )?;
-            }
-        }
-        for (i, words) in self.materials.iter().enumerate() {
-            let material = Material::from_words(words);
-            let [shading, cull, ..] = words.first().map_or([0; 4], |w| w.to_ne_bytes());
-            range(Section::Materials, i, Field::Shading, shading.into(), 0, 1)?;
-            range(Section::Materials, i, Field::Cull, cull.into(), 0, 2)?;
-            let shades = self.shades.len() as i64 - 1;
-            range(
-                Section::Materials,
-                i,
-                Field::Shade,
-                material.shade.into(),
-                0,
-                shades,
-            )?;
-            let (ambient, diffuse) = (material.ambient.into(), material.diffuse.into());
-            range(
-                Section::Materials,
-                i,
-                Field::Intensity,
-                ambient,
-                0,
-                255 * 64,
-            )?;
-            range(Section::Materials, i, Field::Intensity, diffuse, 0, 1 << 16)?;
+        count(Section::Colours, self.colours.len(), 0, 1)?;
+        for (i, index) in self.colours.as_flattened().iter().enumerate() {
+            index_ok(Section::Colours, i, index)?;
         }
         Ok(())
     }
@@ -312,6 +275,11 @@ impl<'a> Scene<'a> {
                 self.fine.len() as i64 - vertices,
             )?;
         }
+        if let Some(offset) = mesh.colours {
+            let first = meshlet.first_vertex.wrapping_add(offset).into();
+            let last = self.vertex_colours.len() as i64 - vertices;
+            range(s, i, Field::VertexColours, first, 0, last)?;
+        }
         if mesh.face_normals {
             let last = self.face_normals.len() as i64 - triangles;
             range(s, i, Field::FaceNormals, first, 0, last)?;
@@ -383,6 +351,10 @@ fn check_header(header: &Header) -> Result<(), SceneError> {
         0,
         formats - 1,
     )?;
+    let patterns = DitherPattern::ALL.len() as i64;
+    let (pattern, spread) = (header.dither_pattern.into(), header.dither_spread.into());
+    check(Field::Dither, pattern, 0, patterns - 1)?;
+    check(Field::Dither, spread, 0, 128 << 6)?;
     match header.camera().out_of_range() {
         Some((field, value)) => Err(SceneError::Header { field, value }),
         None => Ok(()),

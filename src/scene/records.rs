@@ -58,100 +58,6 @@ impl ColourFormat {
     ];
 }
 
-/// A directional light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Light {
-    /// From the surface to the light, length 1, Q30.
-    pub towards: [i32; 3],
-    /// Intensity in 2^-16, at most 32.
-    pub intensity: u32,
-}
-
-impl Record for Light {
-    type Words = [u32; 4];
-
-    fn from_words(&[x, y, z, intensity]: &Self::Words) -> Self {
-        Self {
-            towards: [i(x), i(y), i(z)],
-            intensity: u(intensity),
-        }
-    }
-
-    fn to_words(&self) -> Self::Words {
-        let [x, y, z] = self.towards.map(w);
-        [x, y, z, self.intensity.to_le()]
-    }
-}
-
-/// Where a material is lit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shading {
-    /// Once a face.
-    Flat,
-    /// At the vertices, interpolated.
-    Gouraud,
-}
-
-/// Which faces are left out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cull {
-    /// Those seen from behind.
-    Back,
-    /// Those seen from the front.
-    Front,
-    /// None.
-    None,
-}
-
-/// A surface's answer to light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Material {
-    /// Where it is lit.
-    pub shading: Shading,
-    /// Which faces are left out.
-    pub cull: Cull,
-    /// Row of the shade table.
-    pub shade: u16,
-    /// Level without any light that has a direction: ambient and emission, in
-    /// 1/64 of a level, at most 255 levels.
-    pub ambient: u16,
-    /// Diffuse coefficient in 2^-16, at most 1.
-    pub diffuse: u32,
-}
-
-impl Record for Material {
-    type Words = [u32; 3];
-
-    fn from_words(&[flags, ambient, diffuse]: &Self::Words) -> Self {
-        let [shading, cull, low, high] = flags.to_ne_bytes();
-        Self {
-            shading: if shading == 0 {
-                Shading::Flat
-            } else {
-                Shading::Gouraud
-            },
-            cull: match cull {
-                0 => Cull::Back,
-                1 => Cull::Front,
-                _ => Cull::None,
-            },
-            shade: u16::from_le_bytes([low, high]),
-            ambient: u(ambient) as u16,
-            diffuse: u(diffuse),
-        }
-    }
-
-    fn to_words(&self) -> Self::Words {
-        let [low, high] = self.shade.to_le_bytes();
-        let flags = [self.shading as u8, self.cull as u8, low, high];
-        [
-            u32::from_ne_bytes(flags),
-            u32::from(self.ambient).to_le(),
-            self.diffuse.to_le(),
-        ]
-    }
-}
-
 /// A mesh placed in its parent's space, or in the world. A grid point `q` of the
 /// mesh goes to `position + R (offset + q * step)`, with `R` from `orientation`;
 /// then, if there is a parent, to `parent's position + parent's R that`.
@@ -254,24 +160,31 @@ pub struct Mesh {
     /// its meshlets: the place of a vertex's low bits in the scene's list of them,
     /// less the vertex's own place in the list of vertices (modulo 2^32).
     pub fine: Option<u32>,
+    /// A mesh may have vertex colours: the place of a vertex's colour in the scene's
+    /// list of them, less the vertex's own place in the list of vertices (modulo
+    /// 2^32).
+    pub colours: Option<u32>,
 }
 
 impl Record for Mesh {
-    type Words = [u32; 5];
+    type Words = [u32; 6];
 
     fn from_words(words: &Self::Words) -> Self {
-        let [first_meshlet, meshlets, radius, flags, fine] = words.map(u);
+        let [first_meshlet, meshlets, radius, flags, fine, colours] = words.map(u);
         Self {
             first_meshlet,
             meshlets,
             radius,
             face_normals: flags & 1 != 0,
             fine: (flags & 2 != 0).then_some(fine),
+            colours: (flags & 4 != 0).then_some(colours),
         }
     }
 
     fn to_words(&self) -> Self::Words {
-        let flags = u32::from(self.face_normals) | u32::from(self.fine.is_some()) << 1;
+        let flags = u32::from(self.face_normals)
+            | u32::from(self.fine.is_some()) << 1
+            | u32::from(self.colours.is_some()) << 2;
         let words = [self.first_meshlet, self.meshlets, self.radius, flags];
         let [first, meshlets, radius, flags] = words.map(u32::to_le);
         [
@@ -280,6 +193,7 @@ impl Record for Mesh {
             radius,
             flags,
             self.fine.unwrap_or(0).to_le(),
+            self.colours.unwrap_or(0).to_le(),
         ]
     }
 }

@@ -1,12 +1,42 @@
 //! A whole meshlet, transformed and lit.
 
 use super::{ClipVertex, ScreenVertex, project};
+use crate::light::{Patch, ShortUnit, SurfaceLights, vertex_normal};
+use crate::math::FineLevel;
 use crate::scene::layout::MESHLET_VERTICES;
 use crate::scene::{Meshlet, Scene, Shading};
 use crate::view::{ActorView, MeshletRows};
 
+/// Colours that are kept with a meshlet.
+const COLOURS: usize = if cfg!(feature = "light") {
+    MESHLET_VERTICES
+} else {
+    0
+};
+
 /// The vertices of one meshlet on the screen.
-pub type TransformedMeshlet = [ScreenVertex; MESHLET_VERTICES];
+#[derive(Clone, Copy, Debug)]
+pub struct TransformedMeshlet {
+    /// The vertices.
+    pub vertices: [ScreenVertex; MESHLET_VERTICES],
+    /// Their colours, of a material that goes by colour and is lit at vertices: 10
+    /// bits of red (lowest), green and blue each.
+    colours: [u32; COLOURS],
+}
+
+impl TransformedMeshlet {
+    /// No meshlet's.
+    pub const EMPTY: Self = Self {
+        vertices: [ScreenVertex::ZERO; MESHLET_VERTICES],
+        colours: [0; COLOURS],
+    };
+
+    /// A vertex's colour in 1/64 of a level.
+    pub fn colour(&self, index: u8) -> [i32; 3] {
+        let packed = self.colours.get(usize::from(index)).copied().unwrap_or(0);
+        [0, 10, 20].map(|shift| ((packed >> shift & 1023) << 4) as i32)
+    }
+}
 
 /// Transforms and lights all vertices of `meshlet` into `out`.
 pub fn transform_meshlet(
@@ -16,26 +46,69 @@ pub fn transform_meshlet(
     out: &mut TransformedMeshlet,
 ) {
     let rows = MeshletRows::new(view, meshlet);
-    let lit = view.material.shading == Shading::Gouraud;
+    let gouraud = view.material.shading == Shading::Gouraud;
+    let full = cfg!(feature = "light") && view.material.full;
+    let lit = gouraud && !full;
     let vertices = scene.meshlet_vertices(meshlet);
     let fine = scene.meshlet_fine(meshlet, &view.mesh);
     if fine.is_empty() {
-        for (out, vertex) in out.iter_mut().zip(vertices) {
+        for (out, vertex) in out.vertices.iter_mut().zip(vertices) {
             let [x, y, z, normal] = vertex.map(i16::from_le);
             let place = rows.apply([x, y, z]);
             *out = project(view, &clip_vertex(view, place, normal, None, lit));
         }
-        return;
+    } else {
+        for ((out, vertex), fine) in out.vertices.iter_mut().zip(vertices).zip(fine) {
+            let [.., normal] = vertex.map(i16::from_le);
+            let place = rows.apply_fine(fine_place(meshlet, *vertex, *fine));
+            let [.., low] = *fine;
+            *out = project(view, &clip_vertex(view, place, normal, Some(low), lit));
+        }
     }
-    for ((out, vertex), fine) in out.iter_mut().zip(vertices).zip(fine) {
-        let [.., normal] = vertex.map(i16::from_le);
-        let place = rows.apply_fine(fine_place(meshlet, *vertex, *fine));
-        let [.., low] = *fine;
-        *out = project(view, &clip_vertex(view, place, normal, Some(low), lit));
+    if full && gouraud {
+        light_vertices(scene, view, meshlet, out);
     }
 }
 
-/// One vertex of a meshlet in clip space, for clipping.
+/// Lights all vertices with everything that the light model has.
+#[inline(never)]
+fn light_vertices(
+    scene: &Scene<'_>,
+    view: &ActorView,
+    meshlet: &Meshlet,
+    out: &mut TransformedMeshlet,
+) {
+    let patch = Patch::new(meshlet, &view.mesh);
+    let lights = SurfaceLights::new(scene, view, &patch);
+    let tints = scene.meshlet_colours(meshlet, &view.mesh);
+    let fine = scene.meshlet_fine(meshlet, &view.mesh);
+    let vertices = scene.meshlet_vertices(meshlet).iter().enumerate();
+    for ((i, vertex), out_vertex) in vertices.zip(&mut out.vertices) {
+        let (place, normal) = surface_point(&patch, *vertex, fine.get(i));
+        let tint = tints.get(i).map(|[r, g, b, _]| [*r, *g, *b]);
+        let lit = lights.shine(normal, place, tint);
+        let [level, ..] = lit;
+        out_vertex.level = FineLevel::from_bits(level);
+        if let Some(colour) = out.colours.get_mut(i) {
+            let [r, g, b] = lit.map(|c| (u32::from(c) + 8) >> 4);
+            *colour = r | g << 10 | b << 20;
+        }
+    }
+}
+
+/// Place (in the units of the patch) and normal of a vertex as the meshlet has it.
+pub fn surface_point(
+    patch: &Patch,
+    vertex: [i16; 4],
+    fine: Option<&[u8; 4]>,
+) -> ([i32; 3], ShortUnit) {
+    let [x, y, z, code] = vertex.map(i16::from_le);
+    let [lx, ly, lz, low] = fine.copied().unwrap_or_default();
+    let place = patch.place([x, y, z], [lx, ly, lz]);
+    (place, vertex_normal(code, fine.map(|_| low)))
+}
+
+/// One vertex of a meshlet in clip space, for clipping; not lit.
 pub fn vertex(
     scene: &Scene<'_>,
     rows: &MeshletRows,
@@ -49,19 +122,17 @@ pub fn vertex(
         .get(index)
         .copied()
         .unwrap_or_default();
-    let [x, y, z, normal] = vertex.map(i16::from_le);
-    let (place, low) = match scene.meshlet_fine(meshlet, &view.mesh).get(index) {
-        Some(fine) => {
-            let [.., low] = *fine;
-            (
-                rows.apply_fine(fine_place(meshlet, vertex, *fine)),
-                Some(low),
-            )
-        }
-        None => (rows.apply([x, y, z]), None),
+    let [x, y, z, _] = vertex.map(i16::from_le);
+    let [x, y, distance] = match scene.meshlet_fine(meshlet, &view.mesh).get(index) {
+        Some(fine) => rows.apply_fine(fine_place(meshlet, vertex, *fine)),
+        None => rows.apply([x, y, z]),
     };
-    let lit = view.material.shading == Shading::Gouraud;
-    clip_vertex(view, place, normal, low, lit)
+    ClipVertex {
+        x,
+        y,
+        distance,
+        level: 0,
+    }
 }
 
 /// A vertex of a fine mesh in grid steps from the base.

@@ -7,6 +7,6 @@ mod meshlet;
 mod projection;
 
 pub use clip_coordinates::ClipVertex;
-pub use meshlet::{TransformedMeshlet, transform_meshlet, vertex};
+pub use meshlet::{TransformedMeshlet, surface_point, transform_meshlet, vertex};
 pub use projection::{Rest, ScreenVertex, outside, project};
 pub(crate) use projection::{guard, outcode};

@@ -22,6 +22,18 @@ pub struct ScreenVertex {
     pub rest: Rest,
 }
 
+impl ScreenVertex {
+    /// At the screen's corner.
+    pub const ZERO: Self = Self {
+        x: SubPx::ZERO,
+        y: SubPx::ZERO,
+        z: FineDepth::ZERO,
+        level: FineLevel::ZERO,
+        outside: 0,
+        rest: Rest::NONE,
+    };
+}
+
 /// What rounding took from a screen position, in 1/16 of a sub-pixel, -8..=7
 /// each, in one byte. Only the depth of steep faces needs it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,8 +1,8 @@
 //! One actor in one frame.
 
-use super::{DepthMap, FINE_ROW_FRACTION, Lens, ModelLights, ROW_FRACTION, ViewFrame};
+use super::{DepthMap, FINE_ROW_FRACTION, Lens, ModelFrame, ModelLights, ROW_FRACTION, ViewFrame};
 use crate::math::{MAX_SCREEN, SUBPX_BITS};
-use crate::scene::{Actor, Cull, Material, Mesh, Place, Scene, Shading};
+use crate::scene::{Actor, Material, Mesh, Place, Scene, Shading};
 
 /// The eye as an actor's grid sees it.
 #[derive(Clone, Copy, Debug)]
@@ -49,8 +49,10 @@ pub struct ActorView {
     pub depth: DepthMap,
     /// The eye, for back-face culling of whole meshlets.
     pub eye: EyeInGrid,
-    /// The lights.
+    /// The lights, of a material that is not `full`.
     pub lights: ModelLights,
+    /// Where the grid is, for lights that have a place.
+    pub model: ModelFrame,
     /// The material.
     pub material: Material,
     /// The mesh.
@@ -89,17 +91,17 @@ impl ActorView {
         lights: ModelLights::NONE,
         material: Material {
             shading: Shading::Flat,
-            cull: Cull::Back,
-            shade: 0,
-            ambient: 0,
-            diffuse: 0,
+            power: 0,
+            ..Material::PLAIN
         },
+        model: ModelFrame::ZERO,
         mesh: Mesh {
             first_meshlet: 0,
             meshlets: 0,
             radius: 0,
             face_normals: false,
             fine: None,
+            colours: None,
         },
         middle: [0; 2],
         guard_shift: 0,
@@ -181,6 +183,7 @@ impl ActorView {
             depth: DepthMap::new(frame, scale, near),
             eye: eye_in_grid(frame, actor, place),
             lights: ModelLights::new(scene, &material, &to_world),
+            model: ModelFrame::new(actor, place),
             material,
             mesh,
             middle,

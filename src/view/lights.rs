@@ -1,6 +1,6 @@
 //! Lights in an actor's own space, so that normals need no turning.
 
-use crate::math::{FineLevel, Level, Rotation, normal_length_recip};
+use crate::math::{FineLevel, Level, Rotation, decode_octahedral};
 use crate::scene::layout::LIGHTS;
 use crate::scene::{Material, Scene};
 
@@ -35,7 +35,8 @@ impl ModelLights {
         for (slot, light) in lights.iter_mut().zip(found) {
             // Intensity (16 bits, up to 32) times diffuse (16 bits, up to 1)
             // times 255 levels of 1024 steps: 23 bits and a sign at most.
-            let strength = (u64::from(light.intensity) * u64::from(material.diffuse)) >> 16;
+            let [intensity, ..] = light.colour;
+            let strength = (u64::from(intensity) * u64::from(material.diffuse)) >> 16;
             let strength = (strength * 255) >> 6;
             *slot = to_model
                 .apply(light.towards)
@@ -52,13 +53,16 @@ impl ModelLights {
     /// + sum of max(0, N . l) * diffuse * intensity`, at most 255.
     #[inline]
     pub fn level(&self, [u, v]: [i8; 2]) -> FineLevel {
-        self.octahedral([u, v].map(i32::from), 0)
+        let (normal, recip) = decode_octahedral([u, v].map(i32::from), 0);
+        self.sum(normal, 0, recip)
     }
 
     /// The same for a normal of a fine mesh: 4 bits more each, in one byte.
     pub fn fine_level(&self, [u, v]: [i8; 2], low: u8) -> FineLevel {
         let [low_u, low_v] = [low & 15, low >> 4].map(i32::from);
-        self.octahedral([i32::from(u) << 4 | low_u, i32::from(v) << 4 | low_v], 4)
+        let code = [i32::from(u) << 4 | low_u, i32::from(v) << 4 | low_v];
+        let (normal, recip) = decode_octahedral(code, 4);
+        self.sum(normal, 4, recip)
     }
 
     /// The same for a face's normal: 10 bits and a sign each for x, y and z, from
@@ -70,20 +74,6 @@ impl ModelLights {
         let normal = [part(22), part(12), part(2)];
         // Two bits less of the lights keep the product within 30.
         self.sum(normal, 2, RECIP)
-    }
-
-    /// A normal on the octahedron |x| + |y| + |z| = 127 * 2^extra, whose decoding
-    /// is that of Meyer et al., "On Floating-Point Normal Vectors" (2010).
-    #[inline(always)]
-    fn octahedral(&self, [mut x, mut y]: [i32; 2], extra: u32) -> FineLevel {
-        let z = (127 << extra) - x.abs() - y.abs();
-        if z < 0 {
-            // The lower half is folded over the diamond's edges.
-            let fold = |c: i32| if c >= 0 { c + z } else { c - z };
-            (x, y) = (fold(x), fold(y));
-        }
-        let squared = (x * x + y * y + z * z) as u32 >> (2 * extra);
-        self.sum([x, y, z], extra, normal_length_recip(squared))
     }
 
     /// Ambient and the lights' sum. `recip` is 2^22 over the length of the normal

@@ -7,6 +7,7 @@ mod actor_view;
 mod depth_map;
 mod lights;
 mod meshlet_rows;
+mod model_frame;
 mod row;
 mod view_frame;
 
@@ -14,6 +15,7 @@ pub use actor_view::{ActorView, EyeInGrid};
 pub use depth_map::DepthMap;
 pub use lights::{ModelLights, round_level};
 pub use meshlet_rows::MeshletRows;
+pub use model_frame::ModelFrame;
 pub use view_frame::{Lens, ViewFrame};
 
 /// Fractional bits of [`ActorView`]'s rows beyond those of a clip coordinate: as

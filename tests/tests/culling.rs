@@ -9,7 +9,7 @@ use fixel::cull::{Verdict, judge};
 use fixel::math::{Angle, Factor, Vec3, World};
 use fixel::raster::{Fill, Sides, draw_triangle};
 use fixel::scene::{Camera, Cull, Meshlet, Placement, Projection};
-use fixel::vertex::{ScreenVertex, transform_meshlet, vertex};
+use fixel::vertex::{ScreenVertex, TransformedMeshlet, transform_meshlet, vertex};
 use fixel::view::{ActorView, MeshletRows, ViewFrame};
 use fixel::{Band, Scene};
 use fixel_bake::Baked;
@@ -46,11 +46,11 @@ fn rows_drawn(scene: &Scene<'_>, view: &ActorView, meshlet: &Meshlet) -> Option<
         front: view.material.cull != Cull::Front,
         back: view.material.cull != Cull::Back,
     };
-    let mut vertices = [ScreenVertex::default(); 64];
-    transform_meshlet(scene, view, meshlet, &mut vertices);
+    let mut transformed = TransformedMeshlet::EMPTY;
+    transform_meshlet(scene, view, meshlet, &mut transformed);
     let rows = MeshletRows::new(view, meshlet);
     for indices in scene.meshlet_triangles(meshlet) {
-        let corners = indices.map(|i| &vertices[usize::from(i)]);
+        let corners = indices.map(|i| &transformed.vertices[usize::from(i)]);
         let mut draw = |triangle: [&ScreenVertex; 3]| {
             draw_triangle(&mut target, triangle, sides, view.perspective, || {
                 Fill::Flat(1)

@@ -5,16 +5,18 @@ use std::fs;
 use std::path::Path;
 
 /// What each module may import. `render` is the one place that knows all.
-const ALLOWED: [(&str, &[&str]); 11] = [
+const ALLOWED: [(&str, &[&str]); 13] = [
     ("math", &[]),
     ("frame", &["math"]),
     ("scene", &["math"]),
     ("view", &["math", "scene"]),
     ("cull", &["math", "scene", "view"]),
-    ("vertex", &["math", "scene", "view"]),
+    ("light", &["math", "scene", "view"]),
+    ("vertex", &["light", "math", "scene", "view"]),
     ("clip", &["math", "vertex", "view"]),
     ("raster", &["frame", "math", "vertex"]),
     ("fog", &["frame", "math", "scene", "view"]),
+    ("shade", &["light", "math", "raster", "scene"]),
     ("palette", &["frame"]),
     ("display", &["frame", "palette"]),
 ];

@@ -79,7 +79,7 @@ proptest! {
                 .lights()
                 .map(|light| {
                     let towards = light.towards.map(|c| f64::from(c) / 2f64.powi(30));
-                    let strength = f64::from(light.intensity) / 65536.0 * f64::from(diffuse) / 65536.0;
+                    let strength = f64::from(light.colour[0]) / 65536.0 * f64::from(diffuse) / 65536.0;
                     dot(normal, towards).max(0.0) * strength * 255.0
                 })
                 .sum();

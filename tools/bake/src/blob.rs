@@ -7,11 +7,12 @@ use fixel_scene::Scene;
 use crate::BakeError;
 use crate::fog;
 use crate::instance::instances;
+use crate::light::{light, material};
 use crate::mesh::{Parts, Source};
 use crate::not_yet;
 use crate::palette::tables;
 use crate::placement::placed;
-use crate::records::{actors, header, light, material};
+use crate::records::{actors, header};
 use crate::track::tracks;
 use crate::units::Units;
 use crate::viewport::viewports;
@@ -85,7 +86,8 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
     let lights = scene
         .lights
         .iter()
-        .map(light)
+        .zip(1..)
+        .map(|(l, number)| light(&units, number, l))
         .collect::<Result<Vec<_>, _>>()?;
     let materials = scene
         .materials
@@ -124,8 +126,13 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
         records(&keys),
         records(&fogs),
         (words(tables.fog.as_flattened()), tables.fog.len()),
+        (words(parts.colours.as_flattened()), parts.colours.len()),
+        (
+            words(&tables.colours),
+            usize::from(!tables.colours.is_empty()),
+        ),
     ];
-    let words = assemble(header(scene, &units)?, &sections)?;
+    let words = assemble(header(scene, &units, tables.spread)?, &sections)?;
     Ok(Baked {
         words,
         sources: parts.sources,

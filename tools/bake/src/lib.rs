@@ -9,6 +9,7 @@ mod error;
 mod fog;
 mod grid;
 mod instance;
+mod light;
 mod mesh;
 mod meshlet;
 mod normal;

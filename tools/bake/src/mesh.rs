@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use fixel::scene::layout::LEAST_RADIUS;
 use fixel::scene::{Mesh as MeshRecord, Meshlet};
-use fixel_scene::Mesh;
+use fixel_scene::{Mesh, Rgb};
 use glam::{DVec3, IVec3};
 
 use crate::grid::{Bounds, Grid, Shifts};
@@ -36,6 +36,7 @@ pub(crate) struct Parts {
     pub triangles: Vec<[u8; 3]>,
     pub face_normals: Vec<u32>,
     pub fine: Vec<[u8; 4]>,
+    pub colours: Vec<[u8; 4]>,
     pub sources: Vec<Source>,
     pub grids: Vec<Grid>,
 }
@@ -44,6 +45,8 @@ pub(crate) struct Parts {
 struct Shape {
     positions: Vec<DVec3>,
     normals: Vec<DVec3>,
+    /// Of the vertices, or none.
+    colours: Vec<[u8; 4]>,
     triangles: Vec<[u32; 3]>,
     /// Of each triangle, its index in the description.
     source: Vec<u32>,
@@ -77,7 +80,9 @@ impl Parts {
         shape.snapped = snap(&shape.positions, &shape.triangles, &grid, &coarsest);
 
         let first_meshlet = self.meshlets.len() as u32;
-        let fine = (self.fine.len() as u32).wrapping_sub(self.vertices.len() as u32);
+        let vertices = self.vertices.len() as u32;
+        let fine = (self.fine.len() as u32).wrapping_sub(vertices);
+        let colours = (self.colours.len() as u32).wrapping_sub(vertices);
         let mut radius = f64::from(LEAST_RADIUS);
         for (cluster, shifts) in clusters.iter().zip(shifts) {
             self.add_meshlet(&shape, cluster, shifts)?;
@@ -99,6 +104,7 @@ impl Parts {
             radius: radius.ceil() as u32 + 1,
             face_normals: shape.flat,
             fine: shape.fine.then_some(fine),
+            colours: (!shape.colours.is_empty()).then_some(colours),
         });
         self.grids.push(grid);
         Ok(())
@@ -161,6 +167,7 @@ impl Parts {
             let high = code.map(|c| if shape.fine { c >> 4 } else { c } as u8);
             vertex[3] = i16::from_le_bytes(high);
             self.vertices.push(vertex);
+            self.colours.extend(shape.colours.get(*v as usize));
             if shape.fine {
                 let low = |axis: usize| (from_base[axis] & ((1 << shifts[axis]) - 1)) as u8;
                 let [u, v] = code.map(|c| (c & 15) as u8);
@@ -185,8 +192,10 @@ impl Parts {
 impl Shape {
     fn new(instance: &Instance, mesh: &Mesh) -> Self {
         let positions = instance.positions(mesh);
+        let byte = |c: f64| (c.clamp(0.0, 1.0) * 255.0).round() as u8;
+        let colour = |c: &Rgb| [byte(c[0]), byte(c[1]), byte(c[2]), 0];
         // Vertices that differ only in a normal that nobody needs are one.
-        let keep = if instance.smooth {
+        let keep = if instance.smooth || !mesh.colours.is_empty() {
             (0..positions.len() as u32).collect()
         } else {
             weld(&positions)
@@ -200,6 +209,7 @@ impl Shape {
             .unzip();
         Self {
             normals: instance.normals(mesh),
+            colours: mesh.colours.iter().map(colour).collect(),
             positions,
             triangles,
             source,

@@ -1,21 +1,17 @@
-//! What the description says of camera, lights, materials and actors, in the
-//! blob's records.
+//! What the description says of camera and actors, in the blob's records.
 
 use fixel::scene::layout::STEP_EXPONENTS;
 use fixel::scene::{self as core_scene, CameraRecord, Header};
-use fixel_scene::{
-    Camera, ColourFormat, Cull, Light, LightKind, Material, Projection, Scene, Shading,
-};
+use fixel_scene::{Camera, ColourFormat, Dithering, Projection, Scene};
 use glam::DVec3;
 
 use crate::BakeError;
 use crate::grid::Grid;
 use crate::instance::Instance;
-use crate::palette::{Path, ambient_level};
 use crate::placement::Placed;
 use crate::units::{Units, mantissa_exponent, turns, unit_q30};
 
-pub(crate) fn header(scene: &Scene, units: &Units) -> Result<Header, BakeError> {
+pub(crate) fn header(scene: &Scene, units: &Units, spread: f64) -> Result<Header, BakeError> {
     let camera = camera(&scene.camera, units)?;
     Ok(Header {
         length: 0,
@@ -36,6 +32,12 @@ pub(crate) fn header(scene: &Scene, units: &Units) -> Result<Header, BakeError> 
         centre_exponent: units.centre_exponent as i8,
         turntable: scene.animation.turntable.unwrap_or(0),
         frames: scene.animation.frames.unwrap_or(0),
+        dither_pattern: match scene.palette.dithering {
+            Dithering::None => core_scene::DitherPattern::None,
+            Dithering::Bayer4 => core_scene::DitherPattern::Bayer4,
+            Dithering::Bayer8 => core_scene::DitherPattern::Bayer8,
+        } as u8,
+        dither_spread: (spread * 255.0 * 64.0).round() as u16,
         position: camera.position,
         focal_point: camera.focal_point,
         view_up: camera.view_up,
@@ -115,47 +117,6 @@ fn range(camera: &Camera, units: &Units, projection: u8) -> Result<(i32, i32, u8
         units.length(what, far * unit)?,
     );
     Ok((near, far.max(near.saturating_add(1)), exponent))
-}
-
-pub(crate) fn light(light: &Light) -> Result<core_scene::Light, BakeError> {
-    let LightKind::Directional { direction } = light.kind else {
-        return Err(BakeError::NotYet {
-            what: "a light at a place".into(),
-        });
-    };
-    let intensity = light.intensity * light.colour[0];
-    if !(0.0..=32.0).contains(&intensity) {
-        return Err(BakeError::Range {
-            what: "light.intensity".into(),
-            value: intensity,
-        });
-    }
-    Ok(core_scene::Light {
-        towards: unit_q30(-DVec3::from(direction)),
-        intensity: (intensity * 65536.0).round() as u32,
-    })
-}
-
-pub(crate) fn material(scene: &Scene, path: Path, material: &Material) -> core_scene::Material {
-    // What goes by colour is refused before it gets here.
-    let shade = match path {
-        Path::Level(shade) => shade,
-        Path::Colour => 0,
-    };
-    core_scene::Material {
-        shading: match material.shading {
-            Shading::Flat => core_scene::Shading::Flat,
-            Shading::Gouraud | Shading::Phong => core_scene::Shading::Gouraud,
-        },
-        cull: match material.cull {
-            Cull::Back => core_scene::Cull::Back,
-            Cull::Front => core_scene::Cull::Front,
-            Cull::None => core_scene::Cull::None,
-        },
-        shade,
-        ambient: (ambient_level(material, &scene.ambient) * 64.0).round() as u16,
-        diffuse: (material.diffuse.clamp(0.0, 1.0) * 65536.0).round() as u32,
-    }
 }
 
 /// An actor, where it is, and its instance and even factor.

@@ -5,6 +5,7 @@
 //! octahedral, a material's colour is the palette's at full light.
 
 use fixel::Scene as Blob;
+use fixel::math::Scaled;
 use fixel::scene as core_scene;
 use fixel_scene::{
     Aspect, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Material, Mesh,
@@ -39,7 +40,16 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
             .map(|number| viewport(blob, number, &places))
             .collect(),
         ambient: [1.0; 3],
-        lights: blob.lights().map(|l| light(&l)).collect(),
+        lights: blob
+            .lights()
+            .map(|l| {
+                light(
+                    &l,
+                    places.length(1 << 16),
+                    places.point(l.position).to_array(),
+                )
+            })
+            .collect(),
         materials: (0..blob.material_count())
             .map(|i| {
                 material(
@@ -130,32 +140,74 @@ fn background([top, bottom]: [Rgb; 2]) -> Background {
     }
 }
 
-fn light(light: &core_scene::Light) -> Light {
+fn light(light: &core_scene::Light, scene_unit: f64, position: [f64; 3]) -> Light {
     let direction = light.towards.map(|c| -f64::from(c));
+    let strength = light.colour.map(|c| f64::from(c) / 65536.0);
+    let intensity = strength.into_iter().fold(0.0, f64::max);
+    let scaled = |s: Scaled| f64::from(s.mantissa()) * f64::exp2(f64::from(s.exponent()));
+    let [c, l, q] = light.attenuation.map(scaled);
+    let attenuation = [c, l / scene_unit, q / (scene_unit * scene_unit)];
     Light {
-        kind: LightKind::Directional { direction },
-        colour: [1.0; 3],
-        intensity: f64::from(light.intensity) / 65536.0,
+        kind: match light.kind {
+            core_scene::LightKind::Directional => LightKind::Directional { direction },
+            core_scene::LightKind::Point => LightKind::Point {
+                position,
+                attenuation,
+            },
+            core_scene::LightKind::Spot => LightKind::Spot {
+                position,
+                direction,
+                attenuation,
+                cone_angle: (f64::from(light.cone) / f64::exp2(30.0))
+                    .acos()
+                    .to_degrees(),
+                exponent: f64::from(light.exponent) / 256.0,
+            },
+        },
+        colour: strength.map(|c| if intensity > 0.0 { c / intensity } else { 1.0 }),
+        intensity,
     }
 }
 
 fn material(number: u16, material: &core_scene::Material, colour: Rgb) -> Material {
-    Material {
-        name: format!("material {}", number + 1),
+    let unit = |level: u16| f64::from(level) / (64.0 * 255.0);
+    let channels = material.channels;
+    let [specular, ..] = channels.specular;
+    let by_level = Material {
         ambient_colour: colour,
         diffuse_colour: colour,
-        ambient: f64::from(material.ambient) / (64.0 * 255.0),
+        specular_colour: colour,
+        ambient: unit(material.ambient),
         diffuse: f64::from(material.diffuse) / 65536.0,
+        specular: unit(specular),
+        ..Material::default()
+    };
+    let by_colour = || Material {
+        ambient_colour: channels.constant.map(unit),
+        diffuse_colour: channels.diffuse.map(unit),
+        specular_colour: channels.specular.map(unit),
+        ambient: 1.0,
+        specular: 1.0,
+        ..Material::default()
+    };
+    Material {
+        name: format!("material {}", number + 1),
+        specular_power: f64::from(material.power) / 256.0,
         shading: match material.shading {
             core_scene::Shading::Flat => Shading::Flat,
             core_scene::Shading::Gouraud => Shading::Gouraud,
+            core_scene::Shading::Phong => Shading::Phong,
         },
         cull: match material.cull {
             core_scene::Cull::Back => Cull::Back,
             core_scene::Cull::Front => Cull::Front,
             core_scene::Cull::None => Cull::None,
         },
-        ..Material::default()
+        ..if material.coloured {
+            by_colour()
+        } else {
+            by_level
+        }
     }
 }
 
@@ -188,6 +240,9 @@ fn mesh(blob: &Blob<'_>, number: u16) -> Mesh {
             };
             mesh.normals.push(normal.to_array());
         }
+        let tints = blob.meshlet_colours(&meshlet, &record).iter();
+        mesh.colours
+            .extend(tints.map(|[r, g, b, _]| [r, g, b].map(|c| f64::from(*c) / 255.0)));
         let corners = |t: &[u8; 3]| t.map(|v| first + u32::from(v));
         mesh.triangles
             .extend(blob.meshlet_triangles(&meshlet).iter().map(corners));

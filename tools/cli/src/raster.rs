@@ -22,8 +22,10 @@ pub struct Options {
 /// A rendered frame.
 #[derive(Debug)]
 pub struct Rendered {
-    /// What was drawn.
+    /// What was drawn, as it is held against the reference: without dithering.
     pub frame: Frame,
+    /// What the panel shows, 8 bits a channel.
+    pub rgb: Vec<[u8; 3]>,
     /// The core's own counters, as they stand in `--stats`.
     pub stats: Map<String, Value>,
 }
@@ -70,5 +72,6 @@ pub fn render(input: Input, options: Options) -> Result<Rendered> {
     let mut stats: Map<String, Value> = Map::new();
     stats.extend(counters.map(|(name, count)| (name.to_owned(), json!(count))));
     stats.insert("blob_bytes".into(), json!(baked.bytes().len()));
-    Ok(Rendered { frame, stats })
+    let rgb = fixel_host::picture(&scene, &planes.index);
+    Ok(Rendered { frame, rgb, stats })
 }

@@ -109,7 +109,7 @@ fn draw(args: &args::Render, input: Input, at: fixel_reference::Options) -> Resu
                 raster::render(input, options).with_context(|| args.scene.display().to_string())?;
             let frame = rendered.frame;
             Ok(Picture {
-                rgb: frame.rgb,
+                rgb: rendered.rgb,
                 depth: frame.depth,
                 actor: frame.actor,
                 stats: rendered.stats,

@@ -1,7 +1,16 @@
 //! What a panel of a given colour depth makes of a colour.
 
+use fixel::Scene;
 use fixel::palette::rgb565;
 use fixel::scene::ColourFormat;
+
+/// The colours that the panel shows for palette indices, 8 bits a channel.
+pub fn picture(scene: &Scene<'_>, indices: &[u8]) -> Vec<[u8; 3]> {
+    let format = scene.colour_format();
+    let palette: Vec<_> = scene.palette().iter().map(|c| shown(format, *c)).collect();
+    let colour = |i: &u8| palette.get(usize::from(*i)).copied().unwrap_or_default();
+    indices.iter().map(colour).collect()
+}
 
 /// The colour that the panel shows for an 8-bit colour, as 8 bits a channel.
 pub fn shown(format: ColourFormat, colour: [u8; 3]) -> [u8; 3] {

@@ -5,7 +5,7 @@ use fixel_bake::Baked;
 use fixel_reference::{Frame, Lookup, NO_TRIANGLE, Path};
 
 use crate::planes::{self, Options};
-use crate::{Planes, shown};
+use crate::{Planes, picture, shown};
 
 /// Renders every plane of a baked scene.
 pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Planes) {
@@ -24,6 +24,17 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
             .get(id as usize)
             .map_or(NO_TRIANGLE, |s| s.triangle)
     };
+    // What dithers is held against the reference as it is without.
+    let index = planes::undithered(scene, options);
+    let coloured = (0..scene.material_count()).any(|m| scene.material(m).coloured);
+    let path = |m| {
+        let material = scene.material(m);
+        if material.coloured {
+            Path::Colour
+        } else {
+            Path::Level(Box::new(*scene.shade(&material)))
+        }
+    };
     let frame = Frame {
         width: options.width.into(),
         height: options.height.into(),
@@ -33,22 +44,17 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
         triangle: triangle
             .map(|(id, there)| if *there { source(id) } else { NO_TRIANGLE })
             .collect(),
-        light: planes::levels(scene, options)
-            .into_iter()
-            .map(|level| [level; 3])
-            .collect(),
-        rgb: drawn
-            .index
-            .iter()
-            .map(|i| palette.get(usize::from(*i)).copied().unwrap_or_default())
-            .collect(),
-        index: drawn.index.clone(),
+        light: planes::light(scene, options),
+        rgb: picture(scene, &index),
+        index,
         depth: drawn.depth.clone(),
         lookup: Lookup {
-            paths: (0..scene.material_count())
-                .map(|m| Path::Level(Box::new(*scene.shade(&scene.material(m)))))
-                .collect(),
-            colours: Vec::new(),
+            paths: (0..scene.material_count()).map(path).collect(),
+            colours: if coloured {
+                scene.colours().to_vec()
+            } else {
+                Vec::new()
+            },
             fog: scene.fog_table().map_or(Vec::new(), |table| table.to_vec()),
             background: backgrounds(scene, options),
             palette,

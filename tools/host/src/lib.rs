@@ -9,6 +9,6 @@ mod colour;
 mod compare;
 mod planes;
 
-pub use colour::shown;
+pub use colour::{picture, shown};
 pub use compare::frame;
 pub use planes::{Options, Planes, render};

@@ -6,8 +6,9 @@ use fixel::display::Display;
 use fixel::frame::BandRows;
 use fixel::palette::Palette;
 use fixel::render::{
-    FrameStats, Paint, PaintActor, PaintLevel, PaintTriangle, Scratch, Shaded, render_frame_with,
+    FrameStats, Paint, PaintActor, PaintLight, PaintTriangle, Scratch, Shaded, render_frame_with,
 };
+use fixel::scene::Dither;
 use fixel::{Band, Scene};
 
 /// What to render.
@@ -67,12 +68,33 @@ impl Display for Collector {
 
 /// Renders the scene as it looks.
 pub fn render(scene: &Scene<'_>, options: &Options) -> Planes {
-    paint(&Shaded, scene, options)
+    let dither = scene.dither();
+    paint(&Shaded { dither }, scene, options)
 }
 
-/// Renders the light level of each pixel, 0 where nothing is.
-pub(crate) fn levels(scene: &Scene<'_>, options: &Options) -> Vec<u8> {
-    paint(&PaintLevel, scene, options).index
+/// Renders the palette indices without dithering.
+pub(crate) fn undithered(scene: &Scene<'_>, options: &Options) -> Vec<u8> {
+    paint(
+        &Shaded {
+            dither: Dither::NONE,
+        },
+        scene,
+        options,
+    )
+    .index
+}
+
+/// Renders the light of each pixel, 0 where nothing is: its level three times, or of
+/// a material that goes by colour red, green and blue.
+pub(crate) fn light(scene: &Scene<'_>, options: &Options) -> Vec<[u8; 3]> {
+    let plane = |channel| paint(&PaintLight { channel }, scene, options).index;
+    let coloured = (0..scene.material_count()).any(|m| scene.material(m).coloured);
+    if !coloured {
+        return plane(0).into_iter().map(|level| [level; 3]).collect();
+    }
+    let (red, green, blue) = (plane(0), plane(1), plane(2));
+    let rows = red.into_iter().zip(green).zip(blue);
+    rows.map(|((r, g), b)| [r, g, b]).collect()
 }
 
 /// Renders the actor of each pixel; meaningless where nothing is.

@@ -21,7 +21,7 @@ pub const BENCH: [&str; 6] = [
 /// `scenes/`. Clipping, slivers, a parallel camera and more actors than the
 /// firmware keeps matrices for are among them; chains of parents, key frames and
 /// camera moves.
-pub const PARITY: [&str; 13] = [
+pub const PARITY: [&str; 15] = [
     "teapot",
     "bunny",
     "suzanne",
@@ -35,6 +35,8 @@ pub const PARITY: [&str; 13] = [
     "keyframes",
     "viewports",
     "fog_exponential",
+    "spot",
+    "lights",
 ];
 
 /// Bench scenes that do not draw all of their workload yet, and what is

@@ -51,6 +51,9 @@ pub(crate) struct Tables {
     pub viewport_backgrounds: Vec<Vec<u8>>,
     /// If there is fog: rows from none to nothing else, of what becomes of each index.
     pub fog: Vec<[u8; 256]>,
+    /// What goes by colour is dithered over so much of a channel, 0..=1: about the
+    /// distance between entries, where there are surfaces.
+    pub spread: f64,
 }
 
 /// A material's way from light to an index.
@@ -76,8 +79,14 @@ pub(crate) fn tables(scene: &Scene) -> Tables {
     let ways: Vec<Way> = (0..scene.materials.len())
         .map(|material| Way::of(scene, material))
         .collect();
-    let palette = palette(scene, &ways, &backgrounds);
+    let samples = if ways.contains(&Way::Colour) || scene.fog.is_some() {
+        surface::samples(scene)
+    } else {
+        Vec::new()
+    };
+    let palette = palette(scene, &ways, &backgrounds, &samples);
     let nearest = Nearest::new(&palette);
+    let spread = spread(&samples, &palette, &nearest);
     let row = |material: &Material| {
         let mut row = [0; 256];
         for (level, index) in row.iter_mut().enumerate() {
@@ -111,6 +120,7 @@ pub(crate) fn tables(scene: &Scene) -> Tables {
             .collect(),
         viewport_backgrounds: own.iter().map(|c| indices(&nearest, c)).collect(),
         palette,
+        spread,
     }
 }
 
@@ -132,7 +142,12 @@ fn indices(nearest: &Nearest, colours: &[Rgb]) -> Vec<u8> {
 
 /// The palette's entries: a file's, or those asked for and then the best for the
 /// rest.
-fn palette(scene: &Scene, ways: &[Way], backgrounds: &[Vec<Rgb>]) -> Vec<[u8; 3]> {
+fn palette(
+    scene: &Scene,
+    ways: &[Way],
+    backgrounds: &[Vec<Rgb>],
+    samples: &[Sample],
+) -> Vec<[u8; 3]> {
     let wanted = &scene.palette;
     if !wanted.fixed.is_empty() {
         return wanted.fixed.clone();
@@ -151,7 +166,7 @@ fn palette(scene: &Scene, ways: &[Way], backgrounds: &[Vec<Rgb>]) -> Vec<[u8; 3]
                 }
             }
         }
-        let mut samples = surface::samples(scene);
+        let mut samples = samples.to_vec();
         for background in backgrounds {
             let weight = BACKGROUND_WEIGHT / (background.len() * backgrounds.len()) as f64;
             samples.extend(background.iter().map(|&colour| Sample { colour, weight }));
@@ -171,6 +186,21 @@ fn palette(scene: &Scene, ways: &[Way], backgrounds: &[Vec<Rgb>]) -> Vec<[u8; 3]
         palette.extend(new);
     }
     palette
+}
+
+/// What evenly spaced entries would be apart that are off by as much in the mean: a
+/// step is the root of 12 times its mean square error. At least one step of the
+/// table of colours, at most half of a channel.
+fn spread(samples: &[Sample], palette: &[[u8; 3]], nearest: &Nearest) -> f64 {
+    let (mut sum, mut weight) = (0.0, 0.0);
+    for sample in samples {
+        let entry = to_unit(palette[usize::from(nearest.index(sample.colour))]);
+        let off = |c: usize| (sample.colour[c].clamp(0.0, 1.0) - entry[c]).powi(2);
+        sum += sample.weight * (off(0) + off(1) + off(2)) / 3.0;
+        weight += sample.weight;
+    }
+    let mean = if weight > 0.0 { sum / weight } else { 0.0 };
+    (12.0 * mean).sqrt().clamp(1.0 / 15.0, 0.5)
 }
 
 fn background_colours(background: &Background) -> Vec<Rgb> {

@@ -10,13 +10,17 @@ use super::choose::Sample;
 use super::light::{Point, lit};
 use crate::fog::{factor, fogged};
 
-/// Samples of an actor, about so many.
-const SAMPLES: f64 = 4096.0;
+/// Samples of a whole picture, about so many.
+const SAMPLES: f64 = 8192.0;
+/// A face is halved so often at most.
+const DEEPEST: u32 = 24;
+/// What is out of the picture counts so much less: the camera may turn.
+const OUTSIDE: f64 = 1.0 / 32.0;
 /// Moments of a turntable that are looked at.
 const MOMENTS: u32 = 8;
 
-/// Samples of all actors. The weights of an actor's are the area that it has in
-/// scene units, and all together 1.
+/// Samples of all actors. Their weights are as large as they look to the camera (what
+/// is before them left aside), and all together 1.
 pub(super) fn samples(scene: &Scene) -> Vec<Sample> {
     let turns = scene.animation.turntable.map_or(1, |_| MOMENTS);
     let mut samples = Vec::new();
@@ -66,34 +70,42 @@ impl<'a> Surface<'a> {
         }
     }
 
+    /// Cuts faces until each part looks small, and takes one sample of each.
     fn sample(&self, turns: f64, samples: &mut Vec<Sample>) {
-        let areas: Vec<f64> = self
-            .triangles
-            .iter()
-            .map(|t| self.cross(t).length())
-            .collect();
-        let total: f64 = areas.iter().sum();
-        let each = total * turns / SAMPLES;
-        let (mut due, mut number) = (0.0, 0);
-        for (triangle, area) in self.triangles.iter().zip(areas) {
+        let window = Window::new(self.scene);
+        let small = window.size() * turns / SAMPLES;
+        for triangle in &self.triangles {
             if self.is_away(triangle) {
                 continue;
             }
-            due += area;
-            while due > each / 2.0 && each > 0.0 {
-                due -= each;
-                number += 1;
-                let weights = spread(number);
-                let colour = self.colour(triangle, weights);
-                let weight = each / turns;
+            let mut parts = vec![([DVec3::X, DVec3::Y, DVec3::Z], 0)];
+            while let Some((corners, depth)) = parts.pop() {
+                let places = corners.map(|weights| self.at(triangle, weights));
+                let (most, size) = window.apparent(places);
+                if most > small && depth < DEEPEST {
+                    parts.extend(halves(corners, places).map(|half| (half, depth + 1)));
+                    continue;
+                }
+                if size <= 0.0 {
+                    continue;
+                }
+                let middle = ((corners[0] + corners[1] + corners[2]) / 3.0).to_array();
+                let colour = self.colour(triangle, middle);
+                let weight = size / turns;
                 samples.push(Sample { colour, weight });
                 // Fog is laid over palette entries: both colours are needed.
                 if let Some(fog) = &self.scene.fog {
-                    let colour = fogged(fog, colour, self.fog(fog, triangle, weights));
+                    let colour = fogged(fog, colour, self.fog(fog, triangle, middle));
                     samples.push(Sample { colour, weight });
                 }
             }
         }
+    }
+
+    /// The place where a face's corners have these weights.
+    fn at(&self, triangle: &[usize; 3], weights: DVec3) -> DVec3 {
+        let [a, b, c] = triangle.map(|i| self.places[i]);
+        a * weights.x + b * weights.y + c * weights.z
     }
 
     /// Twice the area, along the normal.
@@ -167,15 +179,83 @@ impl<'a> Surface<'a> {
     }
 }
 
-/// Weights of a triangle's corners, evenly spread as the number grows: Roberts, "The
-/// unreasonable effectiveness of quasirandom sequences" (2018), folded.
-fn spread(number: u32) -> [f64; 3] {
-    let part = |step: f64| (0.5 + f64::from(number) * step).fract();
-    let (mut u, mut v) = (part(0.754877666246693), part(0.569840290998053));
-    if u + v > 1.0 {
-        (u, v) = (1.0 - u, 1.0 - v);
+/// A triangle's halves, cut through the middle of its longest side.
+fn halves(corners: [DVec3; 3], places: [DVec3; 3]) -> [[DVec3; 3]; 2] {
+    let side = |i: usize| places[i].distance_squared(places[(i + 1) % 3]);
+    let longest = (1..3).fold(0, |m, i| if side(i) > side(m) { i } else { m });
+    let [a, b, c] = [0, 1, 2].map(|i| corners[(longest + i) % 3]);
+    let middle = (a + b) / 2.0;
+    [[a, middle, c], [middle, b, c]]
+}
+
+/// The camera's picture.
+struct Window {
+    eye: DVec3,
+    /// Right, up and forward.
+    axes: [DVec3; 3],
+    /// Half of its width and height: at distance 1 in perspective.
+    half: [f64; 2],
+    near: f64,
+    perspective: bool,
+}
+
+impl Window {
+    fn new(scene: &Scene) -> Self {
+        let camera = &scene.camera;
+        let eye = DVec3::from(camera.position);
+        let forward = (DVec3::from(camera.focal_point) - eye).normalize_or_zero();
+        let right = forward.cross(camera.view_up.into()).normalize_or_zero();
+        let (perspective, half) = match camera.projection {
+            Projection::Perspective { view_angle } => {
+                (true, libm::tan(view_angle.to_radians() / 2.0))
+            }
+            Projection::Parallel { parallel_scale } => (false, parallel_scale),
+        };
+        let aspect = f64::from(scene.display.width) / f64::from(scene.display.height);
+        Self {
+            eye,
+            axes: [right, right.cross(forward), forward],
+            half: [half * aspect, half],
+            near: camera.clipping_range[0],
+            perspective,
+        }
     }
-    [1.0 - u - v, u, v]
+
+    fn size(&self) -> f64 {
+        4.0 * self.half[0] * self.half[1]
+    }
+
+    /// How large a triangle looks: at most, where it is nearest, and from its middle.
+    fn apparent(&self, places: [DVec3; 3]) -> (f64, f64) {
+        let [a, b, c] = places;
+        let area = (b - a).cross(c - a) / 2.0;
+        let middle = (a + b + c) / 3.0 - self.eye;
+        let [x, y, depth] = self.axes.map(|axis| axis.dot(middle));
+        let reach = places.map(|p| p.distance(middle + self.eye));
+        let reach = reach.into_iter().fold(0.0, f64::max);
+        if depth + reach < self.near {
+            return (0.0, 0.0);
+        }
+        let [width, height] = self.half;
+        if !self.perspective {
+            let size = area.dot(self.axes[2]).abs();
+            let inside = x.abs() < width && y.abs() < height;
+            return (size, if inside { size } else { size * OUTSIDE });
+        }
+        let distance = middle.length().max(self.near);
+        let nearest = (distance - reach).max(self.near);
+        let size = area.dot(middle / distance).abs() / (distance * distance);
+        let inside = depth > 0.0 && x.abs() < width * depth && y.abs() < height * depth;
+        // What is beside the picture need not be cut so finely.
+        let beside =
+            x.abs() - reach > width * (depth + reach) || y.abs() - reach > height * (depth + reach);
+        let most = if beside {
+            0.0
+        } else {
+            area.length() / (nearest * nearest)
+        };
+        (most, if inside { size } else { size * OUTSIDE })
+    }
 }
 
 /// From the actor's mesh to the world, with so much more of a turn about y, in
@@ -222,18 +302,26 @@ mod tests {
     }
 
     #[test]
-    fn samples_are_spread_evenly() {
-        let mut quarters = [0; 4];
-        for number in 1..=1000 {
-            let weights = spread(number);
-            assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-12);
-            assert!(weights.iter().all(|weight| *weight >= 0.0));
-            let near = weights.iter().position(|weight| *weight > 0.5);
-            quarters[near.unwrap_or(3)] += 1;
-        }
-        assert!(
-            quarters.iter().all(|count| (235..=265).contains(count)),
-            "{quarters:?}"
-        );
+    fn weights_are_what_is_seen() {
+        // A square of 2 by 2 that fills a quarter of a picture of 4 by 4.
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/cube.toml");
+        let mut scene = fixel_scene::load(path.as_ref()).unwrap();
+        (scene.display.width, scene.display.height) = (100, 100);
+        scene.camera.position = [0.0, 0.0, 10.0];
+        scene.camera.focal_point = [0.0; 3];
+        scene.camera.view_up = [0.0, 1.0, 0.0];
+        scene.camera.projection = Projection::Parallel {
+            parallel_scale: 2.0,
+        };
+        let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        let [a, b, c, d] = square.map(|[x, y]| DVec3::new(x, y, 0.0));
+        let window = Window::new(&scene);
+        let size = window.apparent([a, b, c]).1 + window.apparent([a, c, d]).1;
+        assert!((size / window.size() - 0.25).abs() < 1e-12);
+        // Seen along its plane it has no size; far off the picture, little.
+        let turned = [a, b, c].map(|p| DVec3::new(p.x, 0.0, p.y));
+        assert!(window.apparent(turned).1 < 1e-12);
+        let off = [a, b, c].map(|p| p + DVec3::X * 10.0);
+        assert!((window.apparent(off).1 - 2.0 * OUTSIDE).abs() < 1e-12);
     }
 }

@@ -1,6 +1,6 @@
 //! Which of the two ways to a pixel a material goes.
 
-use fixel_scene::{Light, Material, Scene};
+use fixel_scene::{Light, Material, Rgb, Scene};
 
 /// From light to a palette index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,7 +16,8 @@ impl Way {
     /// from what ambient light and emission give, which is the same everywhere, in
     /// the direction of its diffuse colour:
     /// - every light but ambient ones is grey, or gives nothing;
-    /// - it has no highlights, or they have its diffuse colour;
+    /// - it has no highlights, or is grey with grey ones: a highlight on any other
+    ///   colour goes on to white where a channel is full and the line ends;
     /// - no actor wears it on a mesh with vertex colours.
     ///
     /// All others go by colour.
@@ -33,10 +34,14 @@ impl Way {
 }
 
 fn is_grey(light: &Light) -> bool {
-    let [red, green, blue] = light.colour;
-    light.intensity == 0.0 || (red == green && green == blue)
+    light.intensity == 0.0 || grey(light.colour)
+}
+
+fn grey([red, green, blue]: Rgb) -> bool {
+    red == green && green == blue
 }
 
 fn has_no_highlight_of_its_own(material: &Material) -> bool {
-    material.specular == 0.0 || material.specular_colour == material.diffuse_colour
+    material.specular == 0.0
+        || (grey(material.diffuse_colour) && material.specular_colour == material.diffuse_colour)
 }

@@ -1,3 +1,7 @@
+//! Tables and products over their ranges, against f64.
+
+mod light;
+
 use super::*;
 use std::f64::consts::TAU;
 

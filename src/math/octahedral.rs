@@ -1,4 +1,4 @@
-//! One over the length of a decoded octahedral normal.
+//! Octahedral normals and one over their length.
 
 /// Least squared length of an integer vector with |x| + |y| + |z| = 127.
 const LEAST: u32 = 127 * 127 / 3;
@@ -39,4 +39,19 @@ pub(crate) fn normal_length_recip(squared: u32) -> u32 {
     let product = ((seed * seed) >> 16) * squared; // a * y * y in Q28
     let factor = (3u32 << 28).wrapping_sub(product) >> 14; // (3 - a y y) / 2 in Q15
     (seed * factor) >> 15
+}
+
+/// A vector on the octahedron |x| + |y| + |z| = 127 * 2^extra from two of its
+/// components, and 2^22 over its length `/ 2^extra`. The decoding is that of Meyer et
+/// al., "On Floating-Point Normal Vectors" (2010).
+#[inline(always)]
+pub(crate) fn decode_octahedral([mut x, mut y]: [i32; 2], extra: u32) -> ([i32; 3], u32) {
+    let z = (127 << extra) - x.abs() - y.abs();
+    if z < 0 {
+        // The lower half is folded over the diamond's edges.
+        let fold = |c: i32| if c >= 0 { c + z } else { c - z };
+        (x, y) = (fold(x), fold(y));
+    }
+    let squared = (x * x + y * y + z * z) as u32 >> (2 * extra);
+    ([x, y, z], normal_length_recip(squared))
 }

@@ -1,0 +1,17 @@
+//! The whole light model at one point of a surface: coloured lights, places,
+//! cones, highlights. In: the scene's lights and an actor's
+//! [`ActorView`](crate::view::ActorView). Out: [`Channels`](crate::scene::Channels)
+//! summed to a light level or a colour. Used by `vertex` (at vertices) and `render`
+//! (at faces and pixels). Grey lights without a place go by
+//! [`ModelLights`](crate::view::ModelLights), which is faster.
+
+mod model;
+mod normal;
+mod patch;
+
+pub use model::{Lit, SurfaceLights};
+pub use normal::{face_normal, vertex_normal};
+pub use patch::Patch;
+
+/// A normal or a direction in an actor's grid; 14 fractional bits.
+pub use crate::math::ShortUnit;

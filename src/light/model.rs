@@ -1,0 +1,228 @@
+//! Lights as one meshlet meets them, and what they give at a point.
+//!
+//! The model is the classic one (Phong, "Illumination for computer generated
+//! pictures", 1975), on display-encoded values as OpenGL and VTK compute it:
+//! `constant + sum of factor * L * (diffuse * N.l + specular * (R.v)^power)`.
+
+use super::Patch;
+use crate::math::{Scaled, ShortUnit, Vec3, direction, power, scaled_reciprocal, short_dot};
+use crate::scene::layout::LIGHTS;
+use crate::scene::{Channels, Light, LightKind, Scene};
+use crate::view::{ActorView, EyeInGrid};
+
+/// Red, green and blue in 1/64 of a level, at most 255 levels. Of a material that
+/// goes by level the first is the level.
+pub type Lit = [u16; 3];
+
+/// The most that a channel holds.
+const FULL: u32 = 255 << 6;
+/// 1 as light sums have it; they are held to 64.
+const ONE_BITS: u32 = 14;
+const MOST: u32 = 64 << ONE_BITS;
+
+/// What reaches a meshlet's surface.
+#[derive(Clone, Copy, Debug)]
+pub struct SurfaceLights {
+    channels: Channels,
+    shiny: bool,
+    power: u16,
+    sources: [Source; LIGHTS],
+    count: usize,
+    eye: Seen,
+}
+
+/// Towards the eye.
+#[derive(Clone, Copy, Debug)]
+enum Seen {
+    Along(ShortUnit),
+    From([i32; 3]),
+}
+
+/// One light.
+#[derive(Clone, Copy, Debug)]
+struct Source {
+    kind: LightKind,
+    /// To a directional light, or against a spot's axis.
+    towards: ShortUnit,
+    /// In units of the patch, from its base.
+    place: [i32; 3],
+    /// Colour times intensity, 12 fractional bits.
+    colour: [u32; 3],
+    /// By distance in units of the patch.
+    attenuation: [Scaled; 3],
+    cone: i32,
+    exponent: u16,
+}
+
+impl Source {
+    const NONE: Self = Self {
+        kind: LightKind::Directional,
+        towards: [0; 3],
+        place: [0; 3],
+        colour: [0; 3],
+        attenuation: [Scaled::ZERO; 3],
+        cone: 0,
+        exponent: 0,
+    };
+
+    fn new(light: &Light, view: &ActorView, patch: &Patch) -> Self {
+        let place = view.model.place(Vec3::from_bits(light.position));
+        let step = view.model.step();
+        let unit = Scaled::new(step.mantissa(), step.exponent() + patch.shift as i32);
+        let [constant, linear, quadratic] = light.attenuation;
+        Self {
+            kind: light.kind,
+            towards: shorten(view.model.direction(light.towards)),
+            place: in_patch(place, patch),
+            colour: light.colour.map(|c| c >> 4),
+            attenuation: [
+                constant,
+                linear.times(unit),
+                quadratic.times(unit).times(unit),
+            ],
+            // 28 fractional bits.
+            cone: light.cone >> 2,
+            exponent: light.exponent,
+        }
+    }
+
+    /// The direction to the light at a place, and the factor of its light there, 14
+    /// fractional bits; `None` where none gets to.
+    fn reaches(&self, place: [i32; 3]) -> Option<(ShortUnit, u32)> {
+        if self.kind == LightKind::Directional {
+            return Some((self.towards, 1 << ONE_BITS));
+        }
+        let ([ax, ay, az], [bx, by, bz]) = (self.place, place);
+        let (towards, distance) = direction([ax - bx, ay - by, az - bz])?;
+        let [constant, linear, quadratic] = self.attenuation;
+        let sum = linear.plus(quadratic.times(distance)).times(distance);
+        let factor = scaled_reciprocal(constant.plus(sum))
+            .fixed(ONE_BITS)
+            .min(MOST);
+        if self.kind == LightKind::Point {
+            return Some((towards, factor));
+        }
+        let cosine = short_dot(towards, self.towards);
+        if cosine < self.cone {
+            return None;
+        }
+        let beam = power(cosine.unsigned_abs(), self.exponent);
+        Some((towards, scale(factor, beam)))
+    }
+}
+
+/// To 14 fractional bits.
+fn shorten(v: [i32; 3]) -> ShortUnit {
+    v.map(|c| (c + (1 << 15)) >> 16)
+}
+
+/// Grid steps from the grid's centre in units of a patch from its base; held to
+/// 2^29, so that differences fit.
+fn in_patch(place: [i64; 3], patch: &Patch) -> [i32; 3] {
+    let mut out = [0; 3];
+    for (out, (c, base)) in out.iter_mut().zip(place.into_iter().zip(patch.base)) {
+        let units = (c - i64::from(base)) >> patch.shift.min(31);
+        *out = units.clamp(-(1 << 29), 1 << 29) as i32;
+    }
+    out
+}
+
+/// `a * b` with 14 fractional bits each.
+#[inline(always)]
+fn scale(a: u32, b: u32) -> u32 {
+    if a <= 1 << 17 && b <= 1 << 14 {
+        return (a * b) >> ONE_BITS;
+    }
+    ((u64::from(a) * u64::from(b)) >> ONE_BITS).min(u64::from(MOST)) as u32
+}
+
+impl SurfaceLights {
+    /// The scene's lights as the surface of a meshlet meets them.
+    pub fn new(scene: &Scene<'_>, view: &ActorView, patch: &Patch) -> Self {
+        let mut sources = [Source::NONE; LIGHTS];
+        let found = scene.lights();
+        let count = found.len().min(LIGHTS);
+        for (source, light) in sources.iter_mut().zip(found) {
+            *source = Source::new(&light, view, patch);
+        }
+        let channels = view.material.channels;
+        Self {
+            channels,
+            shiny: channels.specular != [0; 3],
+            power: view.material.power,
+            sources,
+            count,
+            eye: match view.eye {
+                EyeInGrid::Direction(sight) => Seen::Along(shorten(sight.map(i32::wrapping_neg))),
+                EyeInGrid::Point(place) => Seen::From(in_patch(place, patch)),
+            },
+        }
+    }
+
+    /// Light at `place` on a surface with `normal`, whose ambient and diffuse colours
+    /// are multiplied by `tint` if there is one.
+    #[inline(never)]
+    pub fn shine(&self, normal: ShortUnit, place: [i32; 3], tint: Option<[u8; 3]>) -> Lit {
+        let (mut diffuse, mut specular) = ([0u32; 3], [0u32; 3]);
+        for source in self.sources.iter().take(self.count) {
+            let Some((towards, factor)) = source.reaches(place) else {
+                continue;
+            };
+            let cosine = short_dot(normal, towards);
+            if cosine <= 0 {
+                continue;
+            }
+            let weight = scale(factor, cosine.unsigned_abs() >> ONE_BITS);
+            for (sum, colour) in diffuse.iter_mut().zip(source.colour) {
+                *sum += scale(colour << 2, weight);
+            }
+            if self.shiny {
+                let eye = self.towards_eye(place);
+                // R.v = 2 (N.l) (N.v) - l.v
+                let facing = short_dot(normal, eye) >> ONE_BITS;
+                let mirrored = 2 * (cosine >> ONE_BITS) * facing - short_dot(towards, eye);
+                let weight = scale(factor, power(mirrored.max(0).unsigned_abs(), self.power));
+                for (sum, colour) in specular.iter_mut().zip(source.colour) {
+                    *sum += scale(colour << 2, weight);
+                }
+            }
+        }
+        let Channels {
+            constant,
+            diffuse: kd,
+            specular: ks,
+        } = self.channels;
+        let mut lit = [0; 3];
+        for (which, lit) in lit.iter_mut().enumerate() {
+            let of = |all: [u16; 3]| u32::from(all.get(which).copied().unwrap_or(0));
+            let sum = |all: [u32; 3]| all.get(which).copied().unwrap_or(0).min(MOST);
+            let mut level = of(constant) + part(of(kd), sum(diffuse));
+            if let Some(tint) = tint {
+                let tint = u32::from(tint.get(which).copied().unwrap_or(255));
+                // 255 is 1.
+                level = (level.min(FULL << 6) * (tint + (tint >> 7)) + (1 << 7)) >> 8;
+            }
+            if self.shiny {
+                level += part(of(ks), sum(specular));
+            }
+            *lit = level.min(FULL) as u16;
+        }
+        lit
+    }
+
+    fn towards_eye(&self, place: [i32; 3]) -> ShortUnit {
+        match self.eye {
+            Seen::Along(direction) => direction,
+            Seen::From([ex, ey, ez]) => {
+                let [x, y, z] = place;
+                direction([ex - x, ey - y, ez - z]).map_or([0; 3], |(unit, _)| unit)
+            }
+        }
+    }
+}
+
+/// A coefficient of up to 14 bits times a sum of light; rounded to nearest.
+fn part(coefficient: u32, sum: u32) -> u32 {
+    // 14 bits and 18.
+    (coefficient * (sum >> 2) + (1 << 11)) >> (ONE_BITS - 2)
+}

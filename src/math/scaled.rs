@@ -1,0 +1,72 @@
+//! Numbers of any size, for the few places that need them: attenuation over all
+//! distances that a world holds.
+
+use super::wide::mul_high_u;
+
+/// `mantissa * 2^exponent`, not negative; relative error 2^-30 an operation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Scaled {
+    /// 2^31.. or 0.
+    mantissa: u32,
+    exponent: i32,
+}
+
+impl Scaled {
+    /// 0.
+    pub const ZERO: Self = Self {
+        mantissa: 0,
+        exponent: 0,
+    };
+
+    /// `mantissa * 2^exponent`.
+    pub fn new(mantissa: u32, exponent: i32) -> Self {
+        if mantissa == 0 {
+            return Self::ZERO;
+        }
+        let up = mantissa.leading_zeros();
+        Self {
+            mantissa: mantissa << up.min(31),
+            exponent: exponent.saturating_sub(up as i32).clamp(-4096, 4096),
+        }
+    }
+
+    /// 2^31.., or 0.
+    pub fn mantissa(self) -> u32 {
+        self.mantissa
+    }
+
+    /// See [`Scaled::new`].
+    pub fn exponent(self) -> i32 {
+        self.exponent
+    }
+
+    /// The product.
+    #[must_use]
+    pub fn times(self, other: Self) -> Self {
+        let exponent = self.exponent + other.exponent + 32;
+        Self::new(mul_high_u(self.mantissa, other.mantissa), exponent)
+    }
+
+    /// The sum.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        let (large, small) =
+            if self.mantissa == 0 || (other.mantissa != 0 && other.exponent > self.exponent) {
+                (other, self)
+            } else {
+                (self, other)
+            };
+        let down = large.exponent.saturating_sub(small.exponent).clamp(0, 31);
+        let small = (small.mantissa >> 1) >> down;
+        Self::new((large.mantissa >> 1) + small, large.exponent + 1)
+    }
+
+    /// With `bits` fractional bits, rounded down; saturates.
+    pub fn fixed(self, bits: u32) -> u32 {
+        let up = self.exponent + bits as i32;
+        if self.mantissa != 0 && up > 0 {
+            return u32::MAX;
+        }
+        self.mantissa.checked_shr(up.unsigned_abs()).unwrap_or(0)
+    }
+}

@@ -1,0 +1,94 @@
+//! The triangles of a transformed meshlet, those that need it clipped.
+
+use super::stats::FrameStats;
+use crate::clip::{Cut, clip};
+use crate::raster::Drawn;
+use crate::scene::layout::MESHLET_VERTICES;
+use crate::scene::{Meshlet, Scene};
+use crate::vertex::{ScreenVertex, TransformedMeshlet, vertex};
+use crate::view::{ActorView, MeshletRows};
+
+/// A triangle of a meshlet, or a part of one.
+pub(super) struct Triangle<'a> {
+    /// Its number in the meshlet.
+    pub number: usize,
+    /// The meshlet's vertices that it has.
+    pub indices: &'a [u8; 3],
+    /// Its corners on the screen.
+    pub corners: [&'a ScreenVertex; 3],
+    /// Of a part, where its corners are.
+    pub cuts: Option<[&'a Cut; 3]>,
+}
+
+/// Hands each triangle that may be seen to `draw`.
+#[inline(always)]
+pub(super) fn triangles(
+    scene: &Scene<'_>,
+    view: &ActorView,
+    meshlet: &Meshlet,
+    transformed: &TransformedMeshlet,
+    stats: &mut FrameStats,
+    mut draw: impl FnMut(Triangle<'_>) -> Drawn,
+) {
+    stats.triangles += u32::from(meshlet.triangles);
+    for (number, indices) in scene.meshlet_triangles(meshlet).iter().enumerate() {
+        let corners = indices.map(|index| corner(transformed, index));
+        let [a, b, c] = corners.map(|v| v.outside);
+        if a & b & c != 0 {
+            stats.triangles_outside += 1;
+            continue;
+        }
+        let mut triangle = Triangle {
+            number,
+            indices,
+            corners,
+            cuts: None,
+        };
+        if a | b | c == 0 {
+            stats.count(draw(triangle));
+            continue;
+        }
+        stats.triangles_clipped += 1;
+        let polygon = clip(view, clip_corners(scene, view, meshlet, &triangle));
+        let all = polygon.vertices().iter().zip(polygon.cuts());
+        let mut all = all.clone().zip(all.skip(1));
+        let Some((first, _)) = all.next() else {
+            continue;
+        };
+        for (b, c) in all {
+            triangle = Triangle {
+                number,
+                indices,
+                corners: [first.0, b.0, c.0],
+                cuts: Some([first.1, b.1, c.1]),
+            };
+            stats.count(draw(triangle));
+        }
+    }
+}
+
+/// A meshlet's vertex by index.
+#[inline(always)]
+fn corner(transformed: &TransformedMeshlet, index: u8) -> &ScreenVertex {
+    #[expect(clippy::indexing_slicing, reason = "held below the array's length")]
+    &transformed.vertices[usize::from(index) % MESHLET_VERTICES]
+}
+
+/// The corners of a triangle in clip space. Kept vertices have no clip
+/// coordinates: they are made again for the few triangles that need them.
+#[cold]
+fn clip_corners(
+    scene: &Scene<'_>,
+    view: &ActorView,
+    meshlet: &Meshlet,
+    triangle: &Triangle<'_>,
+) -> [crate::vertex::ClipVertex; 3] {
+    let rows = MeshletRows::new(view, meshlet);
+    let mut corners = triangle
+        .indices
+        .map(|index| vertex(scene, &rows, view, meshlet, index));
+    for (corner, kept) in corners.iter_mut().zip(triangle.corners) {
+        corner.level = i32::from(kept.level.to_bits());
+    }
+    corners
+}

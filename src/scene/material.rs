@@ -1,0 +1,197 @@
+//! Materials, as a blob has them.
+
+use super::Record;
+use super::records::u;
+
+/// Where a material is lit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shading {
+    /// Once a face.
+    Flat,
+    /// At the vertices, interpolated.
+    Gouraud,
+    /// At each pixel.
+    Phong,
+}
+
+impl Shading {
+    /// All, in the order of their codes.
+    pub const ALL: [Self; 3] = [Self::Flat, Self::Gouraud, Self::Phong];
+}
+
+/// Which faces are left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cull {
+    /// Those seen from behind.
+    Back,
+    /// Those seen from the front.
+    Front,
+    /// None.
+    None,
+}
+
+impl Cull {
+    /// All, in the order of their codes.
+    pub const ALL: [Self; 3] = [Self::Back, Self::Front, Self::None];
+}
+
+/// What a level or a colour is made from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Channels {
+    /// Without any light that has a direction or a place: ambient light and
+    /// emission. In 1/64 of a level, at most 255 levels.
+    pub constant: [u16; 3],
+    /// Diffuse colour times coefficient; the same unit and range.
+    pub diffuse: [u16; 3],
+    /// Specular colour times coefficient; the same unit and range.
+    pub specular: [u16; 3],
+}
+
+/// A surface's answer to light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Material {
+    /// Where it is lit.
+    pub shading: Shading,
+    /// Which faces are left out.
+    pub cull: Cull,
+    /// Row of the shade table.
+    pub shade: u16,
+    /// Level without any light that has a direction: ambient and emission, in
+    /// 1/64 of a level, at most 255 levels.
+    pub ambient: u16,
+    /// Diffuse coefficient in 2^-16, at most 1.
+    pub diffuse: u32,
+    /// Whether more than levels from grey directional lights is needed: see
+    /// `channels`.
+    pub full: bool,
+    /// Whether it goes by colour, through the look-up of colours, instead of by
+    /// level.
+    pub coloured: bool,
+    /// Sharpness of highlights, 8 fractional bits, 1..=128.
+    pub power: u16,
+    /// If `full`, what it is made of; of a material that goes by level the first
+    /// channel counts.
+    pub channels: Channels,
+}
+
+/// How colours between palette entries are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dither {
+    /// By which pattern.
+    pub pattern: DitherPattern,
+    /// From the least to the largest threshold, in 1/64 of a level: about the
+    /// distance of palette entries.
+    pub spread: u16,
+}
+
+impl Dither {
+    /// Each colour is shown by the nearest entry.
+    pub const NONE: Self = Self {
+        pattern: DitherPattern::None,
+        spread: 0,
+    };
+}
+
+/// A pattern of thresholds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DitherPattern {
+    /// None.
+    None,
+    /// 4 by 4 pixels.
+    Bayer4,
+    /// 8 by 8 pixels.
+    Bayer8,
+}
+
+impl DitherPattern {
+    /// All, in the order of their codes.
+    pub const ALL: [Self; 3] = [Self::None, Self::Bayer4, Self::Bayer8];
+}
+
+impl Material {
+    /// Black, lit at the vertices.
+    pub const PLAIN: Self = Self {
+        shading: Shading::Gouraud,
+        cull: Cull::Back,
+        shade: 0,
+        ambient: 0,
+        diffuse: 0,
+        full: false,
+        coloured: false,
+        power: 1 << 8,
+        channels: Channels {
+            constant: [0; 3],
+            diffuse: [0; 3],
+            specular: [0; 3],
+        },
+    };
+
+    /// Whether its triangles need more than a flat or a Gouraud fill.
+    pub fn is_surface(&self) -> bool {
+        self.coloured
+            || self.shading == Shading::Phong
+            || self.full && self.shading == Shading::Flat
+    }
+}
+
+impl Record for Material {
+    type Words = [u32; 8];
+
+    fn from_words(words: &Self::Words) -> Self {
+        let [head, ambient, diffuse, rest @ ..] = *words;
+        let [shading, cull, low, high] = head.to_ne_bytes();
+        let [ambient_low, ambient_high, flags, _] = ambient.to_ne_bytes();
+        let [r, g, b, s, t] = rest.map(halves);
+        let ([r0, r1], [g0, g1], [b0, b1], [s0, s1], [power, s2]) = (r, g, b, s, t);
+        Self {
+            shading: pick(&Shading::ALL, shading, Shading::Gouraud),
+            cull: pick(&Cull::ALL, cull, Cull::None),
+            shade: u16::from_le_bytes([low, high]),
+            ambient: u16::from_le_bytes([ambient_low, ambient_high]),
+            diffuse: u(diffuse),
+            full: flags & 1 != 0,
+            coloured: flags & 2 != 0,
+            power,
+            channels: Channels {
+                constant: [r0, g0, b0],
+                diffuse: [r1, g1, b1],
+                specular: [s0, s1, s2],
+            },
+        }
+    }
+
+    fn to_words(&self) -> Self::Words {
+        let [low, high] = self.shade.to_le_bytes();
+        let head = [self.shading as u8, self.cull as u8, low, high];
+        let [ambient_low, ambient_high] = self.ambient.to_le_bytes();
+        let flags = u8::from(self.full) | u8::from(self.coloured) << 1;
+        let Channels {
+            constant: [r0, g0, b0],
+            diffuse: [r1, g1, b1],
+            specular: [s0, s1, s2],
+        } = self.channels;
+        [
+            u32::from_ne_bytes(head),
+            u32::from_ne_bytes([ambient_low, ambient_high, flags, 0]),
+            self.diffuse.to_le(),
+            join([r0, r1]),
+            join([g0, g1]),
+            join([b0, b1]),
+            join([s0, s1]),
+            join([self.power, s2]),
+        ]
+    }
+}
+
+fn pick<T: Copy>(all: &[T], code: u8, other: T) -> T {
+    all.get(usize::from(code)).copied().unwrap_or(other)
+}
+
+/// The low and the high half of a word.
+fn halves(word: u32) -> [u16; 2] {
+    [u(word) as u16, (u(word) >> 16) as u16]
+}
+
+fn join([low, high]: [u16; 2]) -> u32 {
+    (u32::from(low) | u32::from(high) << 16).to_le()
+}

@@ -1,0 +1,72 @@
+//! From light to a palette index.
+
+use crate::light::Lit;
+use crate::scene::layout::COLOURS;
+use crate::scene::{Dither, DitherPattern};
+
+/// A material's way from light to a palette index.
+#[derive(Clone, Copy, Debug)]
+pub enum Lookup<'a> {
+    /// By the level, which is the first channel.
+    Levels(&'a [u8; 256]),
+    /// By the colour, 4 bits a channel.
+    Colours(&'a [u8; COLOURS]),
+}
+
+/// A channel's full light, and what a 15th of it is.
+const STEP: u32 = (255 << 6) / 15;
+
+/// The index of the nearest colour that the look-up has; colours between palette
+/// entries become patterns of them, by ordered
+/// dithering (Bayer, "An optimum method for two-level rendition of continuous-tone
+/// pictures", 1973). Levels are not dithered.
+#[inline(always)]
+pub fn dithered(lookup: Lookup<'_>, lit: Lit, dither: Dither, place: [i32; 2]) -> u8 {
+    index(lookup, lit, dither.offset(place))
+}
+
+impl Dither {
+    /// What is added to a channel at a screen column and row.
+    #[inline(always)]
+    fn offset(self, [column, row]: [i32; 2]) -> i32 {
+        // The bits of x ^ y and y from the lowest to the highest, interleaved.
+        let (a, b) = (column ^ row, row);
+        let threshold = match self.pattern {
+            DitherPattern::None => return 0,
+            DitherPattern::Bayer4 => {
+                ((a & 1) << 3 | (b & 1) << 2 | (a & 2) | (b & 2) >> 1) << 2 | 2
+            }
+            DitherPattern::Bayer8 => {
+                (a & 1) << 5
+                    | (b & 1) << 4
+                    | (a & 2) << 2
+                    | (b & 2) << 1
+                    | (a & 4) >> 1
+                    | (b & 4) >> 2
+            }
+        };
+        let spread = i32::from(self.spread);
+        (((threshold << 1 | 1) * spread) >> 7) - (spread >> 1)
+    }
+}
+
+#[inline(always)]
+fn index(lookup: Lookup<'_>, lit: Lit, offset: i32) -> u8 {
+    match lookup {
+        Lookup::Levels(shades) => {
+            let [level, ..] = lit;
+            let level = ((u32::from(level) + 32) >> 6).min(255);
+            shades.get(level as usize).copied().unwrap_or(0)
+        }
+        Lookup::Colours(colours) => {
+            // (c + half a step) / STEP, below 16.
+            let step = |c: u16| {
+                let c = (i32::from(c) + offset).clamp(0, 255 << 6) as u32;
+                ((c + STEP / 2) * ((1 << 26) / STEP + 1)) >> 26
+            };
+            let [r, g, b] = lit.map(step);
+            #[expect(clippy::indexing_slicing, reason = "held below the length")]
+            colours[(r << 8 | g << 4 | b) as usize % COLOURS]
+        }
+    }
+}
