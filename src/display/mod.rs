@@ -2,11 +2,13 @@
 //! pixels. Used by `render`, implemented by applications.
 
 mod draw_target;
+mod resolve;
 
 use crate::frame::BandRows;
 use crate::palette::Palette;
 
 pub use draw_target::DrawTargetDisplay;
+pub use resolve::{Resolve, Rgb565Rows};
 
 /// A panel, or anything that takes rows from the top of the screen to its
 /// bottom.

@@ -3,7 +3,7 @@
 
 mod rgb565;
 
-pub use rgb565::{Rgb565Table, rgb565};
+pub use rgb565::{Rgb565Table, rgb565, rgb565_of_sum};
 
 /// Red, green and blue of up to 256 entries, 8 bits each.
 #[derive(Clone, Copy, Debug)]

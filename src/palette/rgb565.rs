@@ -10,6 +10,20 @@ pub const fn rgb565([r, g, b]: [u8; 3]) -> u16 {
     round(r, 31) << 11 | round(g, 63) << 5 | round(b, 31)
 }
 
+/// 5, 6 and 5 bits of a sum of four samples, whose red, green and blue have 10 bits
+/// each (1020 is full), red in the highest, each rounded to nearest: of four times the same
+/// colour, [`rgb565`] of that.
+#[inline]
+pub const fn rgb565_of_sum(sum: u32) -> u16 {
+    const fn round(sum: u32, most: u32) -> u16 {
+        // most / 1020 in 2^-20, rounded up: off by less than 0.001 at most, less
+        // than any sum of four equal samples is from the middle of two steps.
+        let factor = (most << 20).div_ceil(1020);
+        (((sum & 0x3ff) * factor + (1 << 19)) >> 20) as u16
+    }
+    round(sum >> 20, 31) << 11 | round(sum >> 10, 63) << 5 | round(sum, 31)
+}
+
 /// A look-up table from index to RGB565 in the byte order of panels: high byte
 /// first. 512 bytes.
 #[derive(Clone, Debug)]

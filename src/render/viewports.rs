@@ -23,7 +23,7 @@ impl<'a, P: Paint> Viewports<'a, P> {
         target: &mut Target<'_>,
         height: u16,
     ) -> Self {
-        if !scene.is_filled() {
+        if !scene.is_filled(target.width) {
             target.clear(|y| paint.background(scene.background(y, height)));
         }
         Self {

@@ -26,6 +26,7 @@ pub enum Section {
     FogTable,
     VertexColours,
     Colours,
+    Output,
 }
 
 impl Section {
@@ -51,6 +52,7 @@ impl Section {
         Self::FogTable,
         Self::VertexColours,
         Self::Colours,
+        Self::Output,
     ];
 }
 
@@ -101,6 +103,8 @@ pub enum Field {
     Power,
     Coloured,
     Dither,
+    Samples,
+    Eyes,
 }
 
 /// Why a blob was refused. Nothing of a refused blob is used.

@@ -10,6 +10,7 @@ mod header;
 mod light;
 mod material;
 mod moves;
+mod output;
 mod parse;
 mod parse_light;
 mod pose;
@@ -23,6 +24,7 @@ pub use fog::{Fog, FogMode};
 pub use header::Header;
 pub use light::{Light, LightKind};
 pub use material::{Channels, Cull, Dither, DitherPattern, Material, Shading};
+pub use output::{Output, Stereo};
 pub use parse::Scene;
 pub use pose::{Camera, Place, Placement, Pose, Projection};
 pub use records::{Actor, ColourFormat, Mesh, Meshlet, Record, checksum};
@@ -38,7 +40,7 @@ pub mod layout {
     /// Words of the header, before the section table.
     pub const HEADER_WORDS: usize = 25;
     /// Sections; each has two words in the table: byte offset and count.
-    pub const SECTIONS: usize = 20;
+    pub const SECTIONS: usize = 21;
     /// Bytes before the first section.
     pub const PREFIX_BYTES: usize = 4 * (HEADER_WORDS + 2 * SECTIONS);
     /// Where the checksum starts: after magic, version, length, checksum.

@@ -6,7 +6,7 @@ use bytemuck::{AnyBitPattern, try_cast_slice};
 use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
 use super::{
     Actor, ColourFormat, DitherPattern, Field, Fog, Header, Key, Light, Material, Mesh, Meshlet,
-    Record, SceneError, Section, Track, Viewport, checksum,
+    Output, Record, SceneError, Section, Track, Viewport, checksum,
 };
 
 /// A checked scene, read in place from flash.
@@ -33,6 +33,7 @@ pub struct Scene<'a> {
     pub(crate) fog_table: &'a [[u8; 256]],
     pub(crate) vertex_colours: &'a [[u8; 4]],
     pub(crate) colours: &'a [[u8; layout::COLOURS]],
+    pub(crate) output: &'a [<Output as Record>::Words],
 }
 
 impl<'a> Scene<'a> {
@@ -97,6 +98,7 @@ impl<'a> Scene<'a> {
             fog_table: section(bytes, &mut table)?,
             vertex_colours: section(bytes, &mut table)?,
             colours: section(bytes, &mut table)?,
+            output: section(bytes, &mut table)?,
         };
         scene.check_colours()?;
         scene.check_lights()?;
@@ -106,6 +108,7 @@ impl<'a> Scene<'a> {
         scene.check_viewports()?;
         scene.check_tracks()?;
         scene.check_fog()?;
+        scene.check_output()?;
         Ok(scene)
     }
 

@@ -185,7 +185,7 @@ impl Scene<'_> {
         let frame = number.checked_rem(header.frames).unwrap_or(number);
         Pose {
             camera: self.moved_camera(header.camera().camera(), frame),
-            height: header.height,
+            height: self.frame_height(),
             turn: Angle::fraction(number, header.turntable),
             frame,
             moved: &[],

@@ -2,7 +2,9 @@
 
 use super::parse::{count, range};
 use super::records::u;
-use super::{Camera, CameraRecord, Field, Pose, Record, Scene, SceneError, Section, layout};
+use super::{
+    Camera, CameraRecord, Field, Pose, Record, Scene, SceneError, Section, Stereo, layout,
+};
 use crate::math::Rect;
 
 /// A viewport of the scene file.
@@ -91,27 +93,41 @@ pub struct PlacedViewport {
     pub camera: Camera,
     /// How much larger things are shown across than down: a ratio.
     pub magnified: [u32; 2],
-    /// Its number in the scene file, from 0.
+    /// Its number in the frame, from 0.
     pub number: u16,
+    /// How much further right things appear with each unit of distance, beyond
+    /// those at the focal point: Q30. Not 0 for one of two eyes.
+    pub shear: i32,
 }
 
 impl<'a> Scene<'a> {
-    /// Number of viewports, at least 1: a scene without any has one that fills
-    /// the frame.
-    pub fn viewport_count(&self) -> u16 {
+    /// Number of viewports in the scene file, at least 1: a scene without any has
+    /// one that fills the frame.
+    pub fn viewports_an_eye(&self) -> u16 {
         self.viewports.len().max(1) as u16
     }
 
-    /// A viewport; later ones lie over earlier ones.
+    /// Number of viewports in a frame: of all eyes.
+    pub fn viewport_count(&self) -> u16 {
+        self.viewports_an_eye() * self.output().eyes()
+    }
+
+    /// A viewport; later ones lie over earlier ones. Those of the right eye come
+    /// after those of the left one.
     pub fn viewport(&self, number: u16) -> Viewport {
+        let number = number.checked_rem(self.viewports_an_eye()).unwrap_or(0);
         let words = self.viewports.get(usize::from(number));
         words.map_or(Viewport::WHOLE, Viewport::from_words)
     }
 
-    /// Whether some viewport fills the frame, so that nothing shows between them.
-    pub fn is_filled(&self) -> bool {
+    /// Whether some viewport fills a frame of this width, for each eye, so that
+    /// nothing shows between them.
+    pub fn is_filled(&self, width: u16) -> bool {
+        let output = self.output();
+        let (columns, _) = output.picture_size((width, 1));
+        let halves = output.stereo != Stereo::SideBySide || columns.is_multiple_of(2);
         let whole = |number| self.viewport(number).sides == Viewport::WHOLE.sides;
-        (0..self.viewport_count()).any(whole)
+        halves && (0..self.viewports_an_eye()).any(whole)
     }
 
     /// A viewport's place and camera in a frame.
@@ -123,25 +139,49 @@ impl<'a> Scene<'a> {
         height: u16,
     ) -> PlacedViewport {
         let viewport = self.viewport(number);
-        let rect = viewport.rect(width, height);
-        let moved = pose.cameras.iter().find(|(which, _)| *which == number);
+        let output = self.output();
+        let eye = number.checked_div(self.viewports_an_eye()).unwrap_or(0);
+        let [across, down] = output.samples.map(|n| u16::from(n.max(1)));
+        // In whole pixels of the picture, then in samples.
+        let (columns, rows) = (width / across, height / down);
+        let eye_columns = columns / output.eyes();
+        let corner = eye * (columns - eye_columns);
+        let rect = viewport.rect(eye_columns, rows);
+        let rect = Rect {
+            left: (corner + rect.left) * across,
+            top: rect.top * down,
+            right: (corner + rect.right) * across,
+            bottom: rect.bottom * down,
+        };
+        let number_in_file = number.checked_rem(self.viewports_an_eye()).unwrap_or(0);
+        let moved = pose
+            .cameras
+            .iter()
+            .find(|(which, _)| *which == number_in_file);
         let camera = match (moved, viewport.camera) {
             (Some((_, camera)), _) => *camera,
             (None, Some(own)) => own.camera(),
             (None, None) => pose.camera,
         };
         let magnified = if viewport.stretch {
-            // A picture of the frame's shape fills the viewport.
+            // A picture of the whole picture's shape fills the viewport.
+            let (columns, rows) = output.picture_size((width, height));
             let part = |a: u16, b: u16| u32::from(a.max(1)) * u32::from(b.max(1));
-            [part(rect.width(), height), part(rect.height(), width)]
+            [part(rect.width(), rows), part(rect.height(), columns)]
         } else {
-            [1, 1]
+            [across.into(), down.into()]
+        };
+        let shear = match (output.stereo, eye) {
+            (Stereo::None, _) => 0,
+            (_, 0) => output.eye_slope.wrapping_neg(),
+            _ => output.eye_slope,
         };
         PlacedViewport {
             rect,
             camera,
             magnified,
             number,
+            shear,
         }
     }
 

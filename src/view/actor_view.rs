@@ -120,12 +120,16 @@ impl ActorView {
         let [ox, oy, oz] = to_world.apply_wide(place.scaled(actor.offset));
         let [px, py, pz] = place.position.minus(frame.eye).map(|c| c << 14);
         let [cx, cy, cz] = frame.rotation.apply_wide([px + ox, py + oy, pz + oz]);
-        let centre = [cx, -cy, -cz]; // y down, distance along the line of sight
+        let distance = cz.wrapping_neg();
+        let cx = cx + sheared(frame, distance);
+        let centre = [cx, -cy, distance]; // y down, distance along the line of sight
 
         // A sphere about it, in the same units, and the actor's clip unit.
         let radius = (i64::from(mesh.radius) * i64::from(step_mantissa)) >> 1;
         let radius = shift(radius, step_exponent).saturating_add(1);
         let farthest = centre.iter().fold(0, |m: i64, c| m.max(c.abs()));
+        // Sheared, a sphere reaches less than twice as far.
+        let radius = radius << u32::from(frame.shear != 0);
         let reach = farthest.saturating_add(radius);
         let reach_bits = 64 - reach.leading_zeros() as i32;
         let limit = coordinate_bits(frame);
@@ -143,6 +147,10 @@ impl ActorView {
         let [x, y, z] = to_view
             .rows
             .map(|row| row.map(|c| (i64::from(c) * mantissa) >> 31));
+        let mut x = x;
+        for (x, z) in x.iter_mut().zip(z) {
+            *x += sheared(frame, -z);
+        }
         let lens = |kappa: i64, v: i64| (v * kappa + (1 << 30)) >> 31;
         let fit = |v: i64| shift_round(v, row_shift) as i32;
         let rows = [
@@ -218,12 +226,23 @@ fn side_lengths(frame: &ViewFrame, [x, y, d]: [i32; 3], middle: [i32; 2]) -> [i3
         } else {
             0
         };
-        let along = along.unsigned_abs().min(1 << 31);
+        // A sheared x leans by so much along the distance.
+        let lean = sheared(frame, d.into()).unsigned_abs();
+        let along = along.unsigned_abs().saturating_add(lean).min(1 << 31);
         let length = u64::from(length.unsigned_abs());
         ((length * length + along * along).isqrt() + 1).min(i32::MAX as u64) as i32
     };
     let [half_width, half_height] = middle;
     [side(x, half_width), side(y, half_height)]
+}
+
+/// What an eye's shear adds to x at a distance; below 2^60 with it.
+fn sheared(frame: &ViewFrame, distance: i64) -> i64 {
+    if frame.shear == 0 {
+        return 0;
+    }
+    // The shear is below 2^30.
+    scale_q31(i64::from(frame.shear) * 2, distance)
 }
 
 /// The clip coordinate that projects to `half` sub-pixels at `distance`.
@@ -257,7 +276,11 @@ fn row_length([a, b, c]: [i32; 3]) -> i32 {
 fn eye_in_grid(frame: &ViewFrame, actor: &Actor, place: &Place) -> EyeInGrid {
     let to_model = place.rotation.transposed();
     if !frame.perspective {
-        let [.., z] = frame.rotation.rows;
+        let [x, _, mut z] = frame.rotation.rows;
+        for (z, x) in z.iter_mut().zip(x) {
+            // At most 1.2: a shear is at most 0.6.
+            *z = z.wrapping_add(sheared(frame, x.into()) as i32);
+        }
         return EyeInGrid::Direction(to_model.apply(z).map(i32::wrapping_neg));
     }
     let from_pivot = frame.eye.minus(place.position).map(|c| c << 14);

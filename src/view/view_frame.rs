@@ -30,6 +30,9 @@ pub struct ViewFrame {
     pub near: i64,
     /// Distance of the far plane, raw world bits, above `near`; [`i64::MAX`]: none.
     pub far: i64,
+    /// How much further right things appear with each unit of distance: Q30, at
+    /// most 0.6 either way.
+    pub shear: i32,
     /// Screen width in pixels.
     pub width: u16,
     /// Screen height in pixels.
@@ -48,7 +51,32 @@ impl ViewFrame {
     pub fn of(viewport: &PlacedViewport) -> Self {
         let rect = &viewport.rect;
         let (width, height) = (rect.width(), rect.height());
-        Self::magnified(&viewport.camera, width, height, viewport.magnified)
+        let view = Self::magnified(&viewport.camera, width, height, viewport.magnified);
+        view.sheared(&viewport.camera, viewport.shear)
+    }
+
+    /// One of two eyes: beside the camera, with a picture that is sheared so that
+    /// what is as far away as the focal point stays in place (VTK's stereo; there
+    /// is no vertical parallax, as there would be from turned cameras).
+    fn sheared(self, camera: &Camera, shear: i32) -> Self {
+        if shear == 0 {
+            return self;
+        }
+        // A quarter of the distance has 31 bits, a sum of its squares 64.
+        let sight = camera.focal_point.minus(camera.position);
+        let squared = sight.map(|c| ((c >> 2) * (c >> 2)).unsigned_abs());
+        let distance = (squared.iter().sum::<u64>().isqrt() << 2) as i64;
+        let aside = (distance * i64::from(shear)) >> 30;
+        let [right, ..] = self.rotation.rows;
+        let [x, y, z] = camera.position.to_bits().map(i64::from);
+        let [rx, ry, rz] = right.map(|c| (i64::from(c) * aside + (1 << 29)) >> 30);
+        let place = [x + rx, y + ry, z + rz];
+        let held = place.map(|c| c.clamp(i32::MIN.into(), i32::MAX.into()) as i32);
+        Self {
+            eye: Vec3::from_bits(held),
+            shear,
+            ..self
+        }
     }
 
     fn magnified(camera: &Camera, width: u16, height: u16, magnified: [u32; 2]) -> Self {
@@ -87,6 +115,7 @@ impl ViewFrame {
             perspective,
             near,
             far: far.max(near.saturating_add(1)),
+            shear: 0,
             width,
             height,
         }

@@ -31,8 +31,14 @@ fn baked(file: &str) -> Baked {
 }
 
 static SMALL: LazyLock<Baked> = LazyLock::new(|| baked("tests/data/small.toml"));
-static LARGE: LazyLock<[Baked; 3]> = LazyLock::new(|| {
-    ["parallel", "viewports", "fog_exponential"].map(|name| baked(&format!("scenes/{name}.toml")))
+static LARGE: LazyLock<[Baked; 4]> = LazyLock::new(|| {
+    [
+        "parallel",
+        "viewports",
+        "fog_exponential",
+        "stereo_side_by_side",
+    ]
+    .map(|name| baked(&format!("scenes/{name}.toml")))
 });
 
 /// The blob with some words replaced and the checksum made good.
@@ -103,14 +109,15 @@ proptest! {
     #[test]
     fn several_extreme_words_at_once(
         changes in prop::collection::vec((any::<prop::sample::Index>(), word()), 1..6),
-        which in prop_oneof![9 => Just(None), 1 => (0..3usize).prop_map(Some)],
+        which in prop_oneof![9 => Just(None), 1 => (0..4usize).prop_map(Some)],
     ) {
         let baked: &Baked = which.map_or(&SMALL, |which| &LARGE[which]);
         let lights = section(baked, 3);
         let viewports = section(baked, 12)..section(baked, 13);
-        let rest = section(baked, 14)..section(baked, 17);
+        let moves_and_fog = section(baked, 14)..section(baked, 17);
+        let output = section(baked, 20)..baked.bytes().len() / 4;
         let places: Vec<usize> =
-            CAMERA.chain(lights..section(baked, 8)).chain(viewports).chain(rest).collect();
+            CAMERA.chain(lights..section(baked, 8)).chain(viewports).chain(moves_and_fog).chain(output).collect();
         let changes: Vec<(usize, u32)> =
             changes.iter().map(|(at, value)| (places[at.index(places.len())], *value)).collect();
         drawn(&changed(baked, &changes));

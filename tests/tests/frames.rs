@@ -9,13 +9,12 @@ use fixel::display::Display;
 use fixel::frame::BandRows;
 use fixel::palette::Palette;
 use fixel::{Band, Scene, Scratch, render_frame};
-use fixel_host::{Options, render, shown};
+use fixel_host::{Options, picture as picture_of, render};
 use fixel_tests::{load, root, scenes};
 
 fn picture(scene: &Scene<'_>, options: &Options) -> Vec<u8> {
-    let drawn = render(scene, options);
-    let colour = |i: &u8| shown(scene.colour_format(), scene.palette()[usize::from(*i)]);
-    drawn.index.iter().flat_map(colour).collect()
+    let (pixels, _) = picture_of(scene, &render(scene, options));
+    pixels.into_iter().flatten().collect()
 }
 
 fn write_png(path: &Path, (width, height): (u32, u32), rgb: &[u8]) {
@@ -84,14 +83,15 @@ impl Display for Sink {
 }
 
 fn with<const M: usize, const S: usize, const A: usize>(scene: &Scene<'_>, rows: u16) -> Sink {
-    let pixels = usize::from(scene.width()) * usize::from(rows);
+    let pixels = usize::from(scene.frame_width()) * usize::from(rows);
     let (mut indices, mut depths) = (vec![0; pixels], vec![0; pixels]);
-    let mut band = Band::new(scene.width(), &mut indices, &mut depths).expect("one row at least");
+    let mut band =
+        Band::new(scene.frame_width(), &mut indices, &mut depths).expect("one row at least");
     let mut scratch = Box::new(Scratch::<M, S, A>::new());
     let mut sink = Sink::default();
     let work = &mut scratch.workspace();
     let Ok(stats) = render_frame(scene, &scene.pose(5), work, &mut band, &mut sink);
-    assert_eq!(stats.bands, u32::from(scene.height().div_ceil(rows)));
+    assert_eq!(stats.bands, u32::from(scene.frame_height().div_ceil(rows)));
     sink
 }
 
@@ -105,10 +105,12 @@ fn no_capacity_and_no_band_height_changes_a_byte() {
         "two_materials",
         "viewports",
         "fog_exponential",
+        "antialiased",
+        "stereo_anaglyph",
     ] {
         let (_, baked) = load(&root().join(format!("scenes/{name}.toml")));
         let scene = baked.scene().expect("baked a moment ago");
-        let whole = with::<4096, 64, 64>(&scene, scene.height());
+        let whole = with::<4096, 64, 64>(&scene, scene.frame_height());
         for rows in [1, 7, 16, 100] {
             let small = with::<1, 1, 1>(&scene, rows);
             assert!(

@@ -18,7 +18,7 @@ const ALLOWED: [(&str, &[&str]); 13] = [
     ("fog", &["frame", "math", "scene", "view"]),
     ("shade", &["light", "math", "raster", "scene"]),
     ("palette", &["frame"]),
-    ("display", &["frame", "palette"]),
+    ("display", &["frame", "palette", "scene"]),
 ];
 
 /// Modules that a source text names by `crate::`, tests and docs aside.

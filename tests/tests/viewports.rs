@@ -44,6 +44,7 @@ fn part(planes: &Planes, columns: std::ops::Range<usize>, rows: std::ops::Range<
             .clone()
             .flat_map(|y| planes.depth[place(y)].to_vec())
             .collect(),
+        size: planes.size,
         stats: planes.stats,
     }
 }
@@ -81,6 +82,7 @@ fn each_part_is_what_a_screen_of_its_size_shows() {
                     .chunks(128)
                     .flat_map(|r| r[6..].to_vec())
                     .collect(),
+                size: right.size,
                 stats: right.stats,
             }
         },
@@ -90,6 +92,7 @@ fn each_part_is_what_a_screen_of_its_size_shows() {
     let above = Planes {
         index: left.index[..160 * 117].to_vec(),
         depth: left.depth[..160 * 117].to_vec(),
+        size: left.size,
         stats: left.stats,
     };
     assert_same(&part(&all, 0..160, 0..117), &above, "above the inset");

@@ -44,6 +44,9 @@ pub fn draw(
     mut send: impl FnMut(&[u8]),
 ) -> Result<(), EngineError> {
     let scene = engine::parse(blob)?;
+    if scene.output().is_resolved() {
+        return Err(EngineError::Samples);
+    }
     let row = &mut memory.row;
     let buffers = Buffers {
         index: &mut memory.index,

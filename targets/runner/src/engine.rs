@@ -15,6 +15,8 @@ pub enum EngineError {
     Scene(SceneError),
     /// A row is longer than the memory given.
     Memory,
+    /// The frame's pixels are samples, and the program shows only whole pixels.
+    Samples,
 }
 
 impl EngineError {
@@ -23,6 +25,7 @@ impl EngineError {
         match self {
             Self::Scene(_) => "the blob is not a scene",
             Self::Memory => "a row does not fit the memory given",
+            Self::Samples => "the scene is anti-aliased or an anaglyph",
         }
     }
 }
@@ -86,7 +89,7 @@ pub fn render(
     mut buffers: Buffers<'_>,
     take: impl FnMut(BandRows<'_>, &Rgb565Table),
 ) -> Result<(), EngineError> {
-    let width = scene.width();
+    let width = scene.frame_width();
     let pixels = usize::from(width).saturating_mul(band_rows);
     let least = pixels.min(buffers.index.len()).min(buffers.depth.len());
     let index = buffers.index.get_mut(..least).unwrap_or_default();

@@ -4,10 +4,14 @@
 use core::hint::black_box;
 use core::sync::atomic::{Ordering, compiler_fence};
 
-use fixel::Scratch;
-use fixel::frame::BandRows;
-use fixel::palette::Rgb565Table;
+use core::convert::Infallible;
 
+use fixel::display::{Resolve, Rgb565Rows};
+use fixel::frame::BandRows;
+use fixel::palette::{Palette, Rgb565Table};
+use fixel::{Display, Scratch};
+
+use crate::demo::WIDTH;
 use crate::engine::{self, Buffers, EngineError};
 use crate::hash::Fnv64;
 use crate::line::Line;
@@ -50,6 +54,8 @@ pub struct Memory<
     index: [u8; PIXELS],
     depth: [u16; PIXELS],
     panel: [u16; PIXELS],
+    sums: [u32; WIDTH],
+    row: [u16; WIDTH],
     scratch: Scratch<MESHLETS, SLOTS, ACTORS>,
     colours: Rgb565Table,
 }
@@ -64,6 +70,8 @@ impl<const PIXELS: usize, const MESHLETS: usize, const SLOTS: usize, const ACTOR
             index: [0; PIXELS],
             depth: [0; PIXELS],
             panel: [0; PIXELS],
+            sums: [0; WIDTH],
+            row: [0; WIDTH],
             scratch: Scratch::new(),
             colours: Rgb565Table::new(),
         }
@@ -119,6 +127,37 @@ pub fn count<P: Platform>(platform: &mut P, work: impl FnOnce()) -> u64 {
     watch.total
 }
 
+/// A band's pixels as a panel takes them.
+struct Panel<'a> {
+    pixels: &'a mut [u16],
+    /// How many there are.
+    count: usize,
+}
+
+impl Panel<'_> {
+    /// The next `count` pixels.
+    fn next(&mut self, count: usize) -> &mut [u16] {
+        let from = self.count.min(self.pixels.len());
+        self.count = from + count.min(self.pixels.len() - from);
+        self.pixels.get_mut(from..self.count).unwrap_or_default()
+    }
+
+    fn bytes(&self) -> &[u8] {
+        bytemuck::cast_slice(self.pixels.get(..self.count).unwrap_or_default())
+    }
+}
+
+impl Rgb565Rows for Panel<'_> {
+    type Error = Infallible;
+
+    fn row(&mut self, _: u16, pixels: &[u16]) -> Result<(), Infallible> {
+        for (to, from) in self.next(pixels.len()).iter_mut().zip(pixels) {
+            *to = *from;
+        }
+        Ok(())
+    }
+}
+
 /// Hashes of one frame, band by band; the same whatever the bands' height.
 #[derive(Clone, Copy, Debug, Default)]
 struct Digest {
@@ -154,10 +193,18 @@ pub fn measure<
     memory: &mut Memory<PIXELS, MESHLETS, SLOTS, ACTORS>,
 ) -> Result<(), EngineError> {
     let scene = engine::parse(blob)?;
+    let output = scene.output();
+    if output.is_resolved() && usize::from(scene.width()) > WIDTH {
+        return Err(EngineError::Memory);
+    }
     for frame in job.from..job.to {
         let mut digest = Digest::default();
         let mut watch = Stopwatch::new(platform);
-        let panel = &mut memory.panel;
+        let panel = Panel {
+            pixels: &mut memory.panel,
+            count: 0,
+        };
+        let mut resolve = Resolve::new(output, &mut memory.sums, &mut memory.row, panel);
         let buffers = Buffers {
             index: &mut memory.index,
             depth: &mut memory.depth,
@@ -165,19 +212,27 @@ pub fn measure<
             colours: &mut memory.colours,
         };
         watch.start(platform);
+        if output.is_resolved() {
+            let Ok(()) = resolve.begin(&Palette {
+                colours: scene.palette(),
+            });
+        }
         engine::render(
             black_box(&scene),
             frame,
             job.band_rows,
             buffers,
             |band, colours| {
-                let Some(panel) = panel.get_mut(..band.indices.len()) else {
-                    return;
-                };
-                colours.resolve(band.indices, panel);
-                black_box(&mut *panel);
+                resolve.rows().count = 0;
+                if output.is_resolved() {
+                    let Ok(()) = resolve.show(band);
+                } else {
+                    let pixels = resolve.rows().next(band.indices.len());
+                    colours.resolve(band.indices, pixels);
+                }
+                black_box(resolve.rows().bytes());
                 watch.stop(platform);
-                let bytes = bytemuck::cast_slice(panel);
+                let bytes = resolve.rows().bytes();
                 digest.band(band, bytes);
                 platform.show(bytes);
                 watch.start(platform);

@@ -15,7 +15,7 @@ use crate::placement::placed;
 use crate::records::{actors, header};
 use crate::track::tracks;
 use crate::units::Units;
-use crate::viewport::viewports;
+use crate::viewport::{output, viewports};
 
 /// A baked scene.
 #[derive(Clone, Debug)]
@@ -99,6 +99,7 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
     let (tracks, keys) = tracks(scene, &units, &placed)?;
     let fogs: Vec<_> = scene.fog.iter().map(|f| fog::fog(f, &units)).collect();
 
+    let output = Vec::from_iter(output(scene));
     let words = |records: &[u8]| records.to_vec();
     let sections: [(Vec<u8>, usize); SECTIONS] = [
         (words(tables.palette.as_flattened()), tables.palette.len()),
@@ -131,6 +132,7 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
             words(&tables.colours),
             usize::from(!tables.colours.is_empty()),
         ),
+        records(&output),
     ];
     let words = assemble(header(scene, &units, tables.spread)?, &sections)?;
     Ok(Baked {

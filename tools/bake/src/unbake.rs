@@ -9,7 +9,7 @@ use fixel::math::Scaled;
 use fixel::scene as core_scene;
 use fixel_scene::{
     Aspect, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Material, Mesh,
-    Palette, Projection, Rgb, Scene, Shading, Viewport,
+    Palette, Projection, Rgb, Scene, Shading, Stereo, Viewport,
 };
 
 use crate::normal;
@@ -34,6 +34,8 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
             height: header.height.into(),
             colour: colour_format(blob.colour_format()),
             background: background(ends),
+            samples: blob.output().samples.map(u32::from),
+            stereo: stereo(&blob.output()),
         },
         camera,
         viewports: viewports
@@ -118,6 +120,16 @@ fn viewport(blob: &Blob<'_>, number: u16, places: &Places) -> Viewport {
 fn colour(blob: &Blob<'_>, index: u8) -> Rgb {
     let colour = blob.palette().get(usize::from(index)).copied();
     colour.unwrap_or_default().map(|c| f64::from(c) / 255.0)
+}
+
+fn stereo(output: &core_scene::Output) -> Stereo {
+    let slope = f64::from(output.eye_slope) / f64::from(1 << 30);
+    let eye_angle = 2.0 * slope.atan().to_degrees();
+    match output.stereo {
+        core_scene::Stereo::None => Stereo::None,
+        core_scene::Stereo::Anaglyph => Stereo::Anaglyph { eye_angle },
+        core_scene::Stereo::SideBySide => Stereo::SideBySide { eye_angle },
+    }
 }
 
 fn colour_format(format: core_scene::ColourFormat) -> ColourFormat {

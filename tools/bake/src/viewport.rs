@@ -1,7 +1,7 @@
 //! Viewports in the blob's records.
 
-use fixel::scene::{self as core_scene, FULL_SIDE};
-use fixel_scene::{Aspect, Scene};
+use fixel::scene::{self as core_scene, FULL_SIDE, Output};
+use fixel_scene::{Aspect, Display, Scene, Stereo};
 
 use crate::BakeError;
 use crate::records::camera;
@@ -31,4 +31,22 @@ pub(crate) fn viewports(
         first += background.len() as u16;
     }
     Ok(all)
+}
+
+/// How the picture comes of the frame; nothing if it is the frame.
+pub(crate) fn output(scene: &Scene) -> Option<Output> {
+    let Display {
+        samples, stereo, ..
+    } = scene.display;
+    let slope = libm::tan((stereo.eye_angle() / 2.0).to_radians());
+    let output = Output {
+        samples: samples.map(|n| n as u8),
+        stereo: match stereo {
+            Stereo::None => core_scene::Stereo::None,
+            Stereo::Anaglyph { .. } => core_scene::Stereo::Anaglyph,
+            Stereo::SideBySide { .. } => core_scene::Stereo::SideBySide,
+        },
+        eye_slope: ((slope * f64::from(1 << 30)).round() as i32).min(Output::MOST_SLOPE),
+    };
+    (output != Output::PLAIN).then_some(output)
 }

@@ -12,6 +12,9 @@ struct Comparison<'a> {
     scene: String,
     renderer: &'static str,
     frame: u32,
+    /// The picture as the panel shows it against the true one (of an anti-aliased
+    /// scene, with 64 samples a pixel).
+    picture_psnr_db: f64,
     #[serde(flatten)]
     report: &'a Report,
 }
@@ -34,14 +37,18 @@ pub fn run(args: &args::Compare) -> Result<()> {
         bands: args.bands,
     };
     let name = || args.scene.display().to_string();
-    let truth = reference::render(&input.scene, at);
+    let scene = input.scene.clone();
+    let truth = reference::render(&scene, at);
     let rendered = raster::render(input, options).with_context(name)?;
     let report = fixel_reference::compare(&truth, &rendered.frame).with_context(name)?;
+    let true_picture = reference::picture(&scene, at, &truth);
+    let picture_psnr_db = fixel_reference::psnr_db(&rendered.picture, &true_picture);
     if let Some(destination) = &args.json {
         let comparison = Comparison {
             scene: name(),
             renderer,
             frame: at.frame,
+            picture_psnr_db,
             report: &report,
         };
         output::json(destination, &comparison)?;
@@ -49,7 +56,8 @@ pub fn run(args: &args::Compare) -> Result<()> {
     if args.json == Some(Destination::Stdout) {
         Ok(())
     } else {
-        output::stdout(&summary(&report))
+        let picture = format!("picture     {picture_psnr_db:.2} dB as the panel shows it\n");
+        output::stdout(&(summary(&report) + &picture))
     }
 }
 
@@ -120,6 +128,7 @@ mod tests {
             scene: "a.toml".into(),
             renderer: "raster",
             frame: 3,
+            picture_psnr_db: 40.0,
             report: &report,
         };
         let object = serde_json::to_value(&comparison).unwrap();

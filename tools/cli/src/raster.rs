@@ -24,8 +24,8 @@ pub struct Options {
 pub struct Rendered {
     /// What was drawn, as it is held against the reference: without dithering.
     pub frame: Frame,
-    /// What the panel shows, 8 bits a channel.
-    pub rgb: Vec<[u8; 3]>,
+    /// What a panel shows of it, as large as was asked for.
+    pub picture: Vec<[u8; 3]>,
     /// The core's own counters, as they stand in `--stats`.
     pub stats: Map<String, Value>,
 }
@@ -50,9 +50,14 @@ pub fn render(input: Input, options: Options) -> Result<Rendered> {
         width,
         height,
         frame: options.frame,
-        band_rows: options.bands.map(|rows| rows.min(height.into()) as u16),
+        band_rows: options.bands.map(|rows| rows.min(most.into()) as u16),
     };
+    let (columns, rows) = scene.output().frame_size((width, height));
+    if columns > most || rows > most {
+        bail!("{width}x{height} pixels are {columns}x{rows} samples; at most {most}x{most}");
+    }
     let (frame, planes) = fixel_host::frame(&baked, &scene, &core_options);
+    let (picture, _) = fixel_host::picture(&scene, &planes);
     let s = planes.stats;
     let counters = [
         ("bands", s.bands),
@@ -72,6 +77,9 @@ pub fn render(input: Input, options: Options) -> Result<Rendered> {
     let mut stats: Map<String, Value> = Map::new();
     stats.extend(counters.map(|(name, count)| (name.to_owned(), json!(count))));
     stats.insert("blob_bytes".into(), json!(baked.bytes().len()));
-    let rgb = fixel_host::picture(&scene, &planes.index);
-    Ok(Rendered { frame, rgb, stats })
+    Ok(Rendered {
+        frame,
+        picture,
+        stats,
+    })
 }

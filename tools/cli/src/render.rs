@@ -13,6 +13,9 @@ use std::time::Instant;
 /// What any renderer delivers.
 struct Picture {
     rgb: Vec<[u8; 3]>,
+    /// Width and height of what follows: a pixel's samples, and the pictures of an
+    /// anaglyph, are apart there.
+    samples: (u32, u32),
     depth: Vec<u16>,
     actor: Vec<u16>,
     stats: Map<String, Value>,
@@ -36,15 +39,16 @@ pub fn run(args: &args::Render) -> Result<()> {
     let picture = draw(args, input, options)?;
     let milliseconds = started.elapsed().as_secs_f64() * 1e3;
 
+    let (columns, rows) = picture.samples;
     output::write(
         &picture_path,
         &output::png_rgb(width, height, &picture.rgb)?,
     )?;
     if let Some(path) = &args.depth_out {
-        output::write(path, &output::png_grey16(width, height, &picture.depth)?)?;
+        output::write(path, &output::png_grey16(columns, rows, &picture.depth)?)?;
     }
     if let Some(path) = &args.id_out {
-        output::write(path, &output::png_grey16(width, height, &picture.actor)?)?;
+        output::write(path, &output::png_grey16(columns, rows, &picture.actor)?)?;
     }
     if let Some(destination) = &args.stats {
         let covered = picture.actor.iter().filter(|id| **id != 0).count();
@@ -92,7 +96,8 @@ fn draw(args: &args::Render, input: Input, at: fixel_reference::Options) -> Resu
         Renderer::Reference => {
             let truth = reference::render(&input.scene, at);
             Ok(Picture {
-                rgb: truth.picture(),
+                rgb: reference::picture(&input.scene, at, &truth),
+                samples: (truth.width(), truth.height()),
                 depth: truth.depth16(),
                 actor: truth.actor_ids(),
                 stats: Map::new(),
@@ -109,7 +114,8 @@ fn draw(args: &args::Render, input: Input, at: fixel_reference::Options) -> Resu
                 raster::render(input, options).with_context(|| args.scene.display().to_string())?;
             let frame = rendered.frame;
             Ok(Picture {
-                rgb: rendered.rgb,
+                rgb: rendered.picture,
+                samples: (frame.width, frame.height),
                 depth: frame.depth,
                 actor: frame.actor,
                 stats: rendered.stats,

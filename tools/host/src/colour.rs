@@ -5,7 +5,7 @@ use fixel::palette::rgb565;
 use fixel::scene::ColourFormat;
 
 /// The colours that the panel shows for palette indices, 8 bits a channel.
-pub fn picture(scene: &Scene<'_>, indices: &[u8]) -> Vec<[u8; 3]> {
+pub(crate) fn pixels(scene: &Scene<'_>, indices: &[u8]) -> Vec<[u8; 3]> {
     let format = scene.colour_format();
     let palette: Vec<_> = scene.palette().iter().map(|c| shown(format, *c)).collect();
     let colour = |i: &u8| palette.get(usize::from(*i)).copied().unwrap_or_default();
@@ -16,21 +16,23 @@ pub fn picture(scene: &Scene<'_>, indices: &[u8]) -> Vec<[u8; 3]> {
 pub fn shown(format: ColourFormat, colour: [u8; 3]) -> [u8; 3] {
     match format {
         ColourFormat::Rgb888 => colour,
-        ColourFormat::Rgb565 => {
-            let bits = rgb565(colour);
-            let widen = |v: u16, most: u16| ((v * 255 + most / 2) / most) as u8;
-            [
-                widen(bits >> 11, 31),
-                widen(bits >> 5 & 63, 63),
-                widen(bits & 31, 31),
-            ]
-        }
+        ColourFormat::Rgb565 => widened(rgb565(colour)),
         ColourFormat::Rgb444 => colour.map(|c| step(c, 15)),
         ColourFormat::Gray8 => [luma(colour); 3],
         ColourFormat::Gray4 => [step(luma(colour), 15); 3],
         ColourFormat::Gray2 => [step(luma(colour), 3); 3],
         ColourFormat::Mono => [step(luma(colour), 1); 3],
     }
+}
+
+/// A colour of 5, 6 and 5 bits as 8 bits a channel.
+pub(crate) fn widened(bits: u16) -> [u8; 3] {
+    let widen = |v: u16, most: u16| ((v * 255 + most / 2) / most) as u8;
+    [
+        widen(bits >> 11, 31),
+        widen(bits >> 5 & 63, 63),
+        widen(bits & 31, 31),
+    ]
 }
 
 /// The nearest of `most + 1` steps.

@@ -4,8 +4,9 @@ use fixel::Scene;
 use fixel_bake::Baked;
 use fixel_reference::{Frame, Lookup, NO_TRIANGLE, Path};
 
+use crate::colour::pixels;
 use crate::planes::{self, Options};
-use crate::{Planes, picture, shown};
+use crate::{Planes, shown};
 
 /// Renders every plane of a baked scene.
 pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Planes) {
@@ -36,8 +37,8 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
         }
     };
     let frame = Frame {
-        width: options.width.into(),
-        height: options.height.into(),
+        width: drawn.size.0.into(),
+        height: drawn.size.1.into(),
         actor: actor
             .map(|(id, there)| if *there { id + 1 } else { 0 })
             .collect(),
@@ -45,7 +46,7 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
             .map(|(id, there)| if *there { source(id) } else { NO_TRIANGLE })
             .collect(),
         light: planes::light(scene, options),
-        rgb: picture(scene, &index),
+        rgb: pixels(scene, &index),
         index,
         depth: drawn.depth.clone(),
         lookup: Lookup {
@@ -56,7 +57,7 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
                 Vec::new()
             },
             fog: scene.fog_table().map_or(Vec::new(), |table| table.to_vec()),
-            background: backgrounds(scene, options),
+            background: backgrounds(scene, options, drawn.size),
             palette,
         },
     };
@@ -64,8 +65,7 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
 }
 
 /// The background's palette index at each pixel, viewports on top of each other.
-fn backgrounds(scene: &Scene<'_>, options: &Options) -> Vec<u8> {
-    let (width, height) = (options.width, options.height);
+fn backgrounds(scene: &Scene<'_>, options: &Options, (width, height): (u16, u16)) -> Vec<u8> {
     let mut all = Vec::new();
     for y in 0..height {
         all.resize(all.len() + usize::from(width), scene.background(y, height));

@@ -7,8 +7,10 @@
 
 mod colour;
 mod compare;
+mod picture;
 mod planes;
 
-pub use colour::{picture, shown};
+pub use colour::shown;
 pub use compare::frame;
+pub use picture::picture;
 pub use planes::{Options, Planes, render};

@@ -36,13 +36,16 @@ impl Options {
     }
 }
 
-/// A whole frame. Pixels go by rows from the top left.
+/// A whole frame, as large as the picture or, with several samples or two eyes to a
+/// pixel, larger. Pixels go by rows from the top left.
 #[derive(Clone, Debug)]
 pub struct Planes {
     /// Palette indices.
     pub index: Vec<u8>,
     /// Depths; 0 where nothing is.
     pub depth: Vec<u16>,
+    /// Width and height of the frame, whose pixels may be samples of the picture's.
+    pub size: (u16, u16),
     /// What the frame took.
     pub stats: FrameStats,
 }
@@ -108,29 +111,27 @@ pub(crate) fn actors(scene: &Scene<'_>, options: &Options) -> Vec<u16> {
 /// nothing is.
 pub(crate) fn triangles(scene: &Scene<'_>, options: &Options) -> Vec<u32> {
     let bytes = [0, 1, 2, 3].map(|byte| paint(&PaintTriangle { byte }, scene, options).index);
-    let pixels = usize::from(options.width) * usize::from(options.height);
-    (0..pixels)
+    (0..bytes[0].len())
         .map(|i| u32::from_le_bytes([0, 1, 2, 3].map(|b: usize| bytes[b][i])))
         .collect()
 }
 
 fn paint<P: Paint>(paint: &P, scene: &Scene<'_>, options: &Options) -> Planes {
-    let rows = options
-        .band_rows
-        .unwrap_or(options.height)
-        .clamp(1, options.height.max(1));
-    let pixels = usize::from(options.width.max(1)) * usize::from(rows);
+    let (width, height) = scene.output().frame_size((options.width, options.height));
+    let rows = options.band_rows.unwrap_or(height).clamp(1, height.max(1));
+    let pixels = usize::from(width.max(1)) * usize::from(rows);
     let (mut indices, mut depths) = (vec![0; pixels], vec![0; pixels]);
     let mut scratch = Box::new(HostScratch::new());
     let mut pose = scene.pose(options.frame);
-    pose.height = options.height;
+    pose.height = height;
     let mut collector = Collector(Planes {
         index: Vec::new(),
         depth: Vec::new(),
+        size: (width, height),
         stats: FrameStats::default(),
     });
     // The buffers hold `rows` rows of 1..=2048 pixels: a band there is.
-    if let Ok(mut band) = Band::new(options.width, &mut indices, &mut depths) {
+    if let Ok(mut band) = Band::new(width, &mut indices, &mut depths) {
         let work = &mut scratch.workspace();
         let Ok(stats) = render_frame_with(paint, scene, &pose, work, &mut band, &mut collector);
         collector.0.stats = stats;

@@ -31,6 +31,7 @@ mod window;
 pub use camera::camera_at;
 pub use compare::compare;
 pub use frame::{COLOURS, Frame, FrameError, Lookup, NO_TRIANGLE, Path};
+pub use metric::psnr_db;
 pub use model::actor_matrix;
 pub use render::{Options, render, render_watched};
 pub use report::{Mismatch, MismatchKind, PSNR_IDENTICAL_DB, Report};

@@ -59,3 +59,13 @@ impl Psnr {
         (10.0 * (255.0 * 255.0 / mean).log10()).min(PSNR_IDENTICAL_DB)
     }
 }
+
+/// PSNR of one picture against another of the same size, for a peak of 255, at most
+/// [`PSNR_IDENTICAL_DB`].
+pub fn psnr_db(picture: &[[u8; 3]], wanted: &[[u8; 3]]) -> f64 {
+    let mut psnr = Psnr::default();
+    for (a, b) in picture.iter().zip(wanted) {
+        psnr.add(a.map(f64::from), b.map(f64::from));
+    }
+    psnr.db()
+}

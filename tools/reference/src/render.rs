@@ -6,7 +6,7 @@ use crate::geometry::{Face, Geometry};
 use crate::ray::{Meeting, Ray};
 use crate::truth::{Hit, Truth};
 use crate::view::View;
-use crate::window::{Window, row_colour};
+use crate::window::{Window, row_colour, sampled_size};
 use fixel_scene::Scene;
 use rayon::prelude::*;
 
@@ -40,6 +40,7 @@ pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sy
         frame,
     } = options;
     let windows = Window::all(scene, width, height, frame);
+    let [width, height] = sampled_size(scene, width, height);
     let trees: Vec<Bvh> = windows
         .iter()
         .map(|w| Bvh::new(&w.geometry.faces))
@@ -73,6 +74,8 @@ pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sy
         pixels,
         background,
         fog: scene.fog,
+        samples: scene.display.samples,
+        joined: scene.display.stereo.joined(),
         materials,
         windows,
     }

@@ -44,6 +44,10 @@ pub struct Truth {
     /// The background's colour at each pixel.
     pub(crate) background: Vec<Rgb>,
     pub(crate) fog: Option<Fog>,
+    /// Samples of a pixel, across and down.
+    pub(crate) samples: [u32; 2],
+    /// Pictures beside each other that become one.
+    pub(crate) joined: u32,
     /// How many materials the scene has.
     pub(crate) materials: usize,
     /// Parts of the picture, later ones over earlier ones.
@@ -108,11 +112,35 @@ impl Truth {
             })
     }
 
-    /// The picture, 8 bits a channel, rounded to the nearest.
+    /// The picture, 8 bits a channel, rounded to the nearest: the mean of each
+    /// pixel's samples, red of the left eye and green and blue of the right one in
+    /// an anaglyph.
     pub fn picture(&self) -> Vec<[u8; 3]> {
-        self.colours()
-            .map(|c| c.map(|v| (v * 255.0).round() as u8))
+        let all: Vec<Rgb> = self.colours().collect();
+        let [across, down] = self.samples;
+        let [columns, rows] = self.picture_size();
+        let mean = |x: u32, y: u32, channel: usize| {
+            let mut sum = 0.0;
+            for sy in y * down..(y + 1) * down {
+                let row = (sy * self.width) as usize;
+                let from = row + (x * across) as usize;
+                let samples = &all[from..from + across as usize];
+                sum += samples.iter().map(|c| c[channel]).sum::<f64>();
+            }
+            (255.0 * sum / f64::from(across * down)).round() as u8
+        };
+        let right = (self.joined - 1) * columns;
+        let pixels = (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y)));
+        pixels
+            .map(|(x, y)| [mean(x, y, 0), mean(x + right, y, 1), mean(x + right, y, 2)])
             .collect()
+    }
+
+    /// Columns and rows of [`Truth::picture`]; the truth itself has a pixel for each
+    /// sample, and an anaglyph's two pictures beside each other.
+    pub fn picture_size(&self) -> [u32; 2] {
+        let [across, down] = self.samples;
+        [self.width / (self.joined * across), self.height / down]
     }
 
     /// The 16-bit depth buffer: 0 where nothing is seen, at least 1 where

@@ -30,6 +30,8 @@ pub struct View {
     /// Near and far plane.
     range: [f64; 2],
     size_px: [f64; 2],
+    /// How much further to the right things appear with each unit of `w`.
+    slope: f64,
 }
 
 impl View {
@@ -65,6 +67,18 @@ impl View {
             perspective,
             range: camera.clipping_range,
             size_px,
+            slope: 0.0,
+        }
+    }
+
+    /// The eye moved aside so far that the focal point is seen at `slope` from it,
+    /// and the picture sheared so that it stays where it was.
+    pub(crate) fn of_eye(self, camera: &Camera, slope: f64) -> Self {
+        let distance = DVec3::from(camera.focal_point).distance(DVec3::from(camera.position));
+        Self {
+            eye: self.eye + self.right * (slope * distance),
+            slope,
+            ..self
         }
     }
 
@@ -95,12 +109,12 @@ impl View {
         if self.perspective {
             Ray {
                 origin: [0.0, 0.0],
-                slope: [sx, sy],
+                slope: [sx - self.slope, sy],
             }
         } else {
             Ray {
                 origin: [sx, sy],
-                slope: [0.0, 0.0],
+                slope: [-self.slope, 0.0],
             }
         }
     }

@@ -3,7 +3,7 @@
 use crate::camera::camera_at;
 use crate::geometry::Geometry;
 use crate::view::View;
-use fixel_scene::{Aspect, Background, Camera, Rgb, Scene, Viewport};
+use fixel_scene::{Aspect, Background, Camera, Display, Rgb, Scene, Viewport};
 
 /// A viewport in a picture.
 #[derive(Clone, Debug)]
@@ -18,7 +18,8 @@ pub(crate) struct Window {
 }
 
 impl Window {
-    /// All of a scene's, later ones over earlier ones.
+    /// All of a scene's in a picture of `width` by `height` pixels, later ones over
+    /// earlier ones, in samples: see [`sampled_size`].
     pub fn all(scene: &Scene, width: u32, height: u32, frame: u32) -> Vec<Self> {
         let whole = [Viewport {
             rectangle: [0.0, 0.0, 1.0, 1.0],
@@ -31,10 +32,14 @@ impl Window {
             viewports => viewports,
         };
         let moved = camera_at(scene, frame);
-        let window = |viewport: &Viewport| {
+        let Display {
+            samples, stereo, ..
+        } = scene.display;
+        let columns = width * stereo.joined() / stereo.eyes();
+        let window = |eye: u32, viewport: &Viewport| {
             let [x, y, w, h] = viewport.rectangle;
             let ([left, right], [top, bottom]) = (
-                [x, x + w].map(|at| line(at, width)),
+                [x, x + w].map(|at| line(at, columns)),
                 [1.0 - (y + h), 1.0 - y].map(|at| line(at, height)),
             );
             let size = [right - left, bottom - top];
@@ -43,16 +48,23 @@ impl Window {
                 Aspect::Stretch => f64::from(width) / f64::from(height),
             };
             let camera: &Camera = viewport.camera.as_ref().unwrap_or(&moved);
-            let view = View::shaped(camera, size, shape);
+            let size = [size[0] * samples[0], size[1] * samples[1]];
+            let slope = (stereo.eye_angle() / 2.0).to_radians().tan();
+            let slope = if eye == 0 { -slope } else { slope };
+            let view = View::shaped(camera, size, shape).of_eye(camera, slope);
+            let aside = eye * (width * stereo.joined() - columns);
             Self {
-                corner: [left, top],
+                corner: [(aside + left) * samples[0], top * samples[1]],
                 size,
                 geometry: Geometry::new(scene, &view, frame),
                 view,
                 background: viewport.background.unwrap_or(scene.display.background),
             }
         };
-        viewports.iter().map(window).collect()
+        let eyes = 0..stereo.eyes();
+        eyes.flat_map(|eye| viewports.iter().map(move |viewport| (eye, viewport)))
+            .map(|(eye, viewport)| window(eye, viewport))
+            .collect()
     }
 
     /// Column and row of the picture's pixel in this part, if it is in it.
@@ -66,6 +78,15 @@ impl Window {
     pub fn background(&self, y: u32) -> Rgb {
         row_colour(&self.background, y, self.size[1])
     }
+}
+
+/// Columns and rows of samples for a picture of `width` by `height` pixels.
+pub(crate) fn sampled_size(scene: &Scene, width: u32, height: u32) -> [u32; 2] {
+    let [across, down] = scene.display.samples;
+    [
+        width * scene.display.stereo.joined() * across,
+        height * down,
+    ]
 }
 
 /// The line between pixels that is nearest to a part of the picture's size. Ties,

@@ -6,7 +6,8 @@ use std::path::Path;
 use glam::DVec3;
 
 use crate::description::{
-    Actor, Animation, Background, ColourFormat, Display, Light, LightKind, Material, Palette, Scene,
+    Actor, Animation, Background, ColourFormat, Display, Light, LightKind, Material, Palette,
+    Scene, Stereo,
 };
 use crate::error::Error;
 use crate::framing::{self, Bounds};
@@ -35,6 +36,8 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
         height: 240,
         colour: ColourFormat::Rgb565,
         background: Background::Solid(BACKGROUND.map(|channel| f64::from(channel) / 255.0)),
+        samples: [1, 1],
+        stereo: Stereo::None,
     };
     let bounds = Bounds::of(&actors, &meshes, &Animation::default());
     let (sin, cos) = libm::sincos(AZIMUTH.to_radians());

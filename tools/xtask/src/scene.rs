@@ -21,7 +21,7 @@ pub const BENCH: [&str; 6] = [
 /// `scenes/`. Clipping, slivers, a parallel camera and more actors than the
 /// firmware keeps matrices for are among them; chains of parents, key frames and
 /// camera moves.
-pub const PARITY: [&str; 15] = [
+pub const PARITY: [&str; 17] = [
     "teapot",
     "bunny",
     "suzanne",
@@ -37,6 +37,8 @@ pub const PARITY: [&str; 15] = [
     "fog_exponential",
     "spot",
     "lights",
+    "antialiased",
+    "stereo_anaglyph",
 ];
 
 /// Bench scenes that do not draw all of their workload yet, and what is

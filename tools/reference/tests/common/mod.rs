@@ -5,7 +5,7 @@
 use fixel_reference::{Options, Truth, render};
 use fixel_scene::{
     Actor, Animation, Background, Camera, ColourFormat, Display, Light, LightKind, Material, Mesh,
-    Palette, Projection, Scene, Shading,
+    Palette, Projection, Scene, Shading, Stereo,
 };
 
 /// Distance of the plane z = 0 from the eye in [`parallel`] and [`perspective`].
@@ -39,6 +39,8 @@ fn scene(width: u32, height: u32, projection: Projection) -> Scene {
             height,
             colour: ColourFormat::Rgb888,
             background: Background::Solid([0.0; 3]),
+            samples: [1, 1],
+            stereo: Stereo::None,
         },
         camera: Camera {
             position: [x, y, EYE],

@@ -2,16 +2,22 @@
 
 use super::colour;
 use super::panel::PANELS;
-use super::table::{Keys, Neutral, Table};
-use crate::description::{Background, ColourFormat, Display};
+use super::table::{Keys, Table};
+use crate::description::{Background, ColourFormat, Display, Stereo};
 use crate::error::Error;
 
 pub(super) const DISPLAY: Keys = Keys {
-    known: &["width", "height", "colour", "background", "panel"],
-    later: &[
-        ("antialiasing", Neutral::Text("none")),
-        ("stereo", Neutral::Text("none")),
+    known: &[
+        "width",
+        "height",
+        "colour",
+        "background",
+        "panel",
+        "antialiasing",
+        "stereo",
+        "eye_angle",
     ],
+    later: &[],
 };
 
 const FORMATS: &[(&str, ColourFormat)] = &[
@@ -32,6 +38,8 @@ pub(super) fn display(table: Option<&Table<'_, '_>>) -> Result<Display, Error> {
         height: 240,
         colour: ColourFormat::Rgb565,
         background: Background::Solid([0.0; 3]),
+        samples: [1, 1],
+        stereo: Stereo::None,
     };
     let Some(table) = table else {
         return Ok(display);
@@ -62,5 +70,51 @@ pub(super) fn display(table: Option<&Table<'_, '_>>) -> Result<Display, Error> {
     if let Some(background) = colour::background(table, "background")? {
         display.background = background;
     }
+    let samples = [
+        ("none", [1, 1]),
+        ("2x2", [2, 2]),
+        ("2x1", [2, 1]),
+        ("1x2", [1, 2]),
+    ];
+    if let Some(samples) = table.choice("antialiasing", &samples, &[])? {
+        display.samples = samples;
+    }
+    display.stereo = stereo(table)?;
+    let across = display.samples[0] * display.stereo.joined();
+    let sides = [
+        ("width", across, display.width),
+        ("height", display.samples[1], display.height),
+    ];
+    for (key, times, size) in sides {
+        if size * times > 2048 {
+            let most = 2048 / times;
+            return Err(table.error(
+                key,
+                format!(
+                    "{size} is too much with anti-aliasing or an anaglyph, which draw {times} \
+                     times as many pixels; expected at most {most}, e.g. {key} = {most}"
+                ),
+            ));
+        }
+    }
     Ok(display)
 }
+
+fn stereo(table: &Table<'_, '_>) -> Result<Stereo, Error> {
+    let eye_angle = table.number("eye_angle", 0.01..=60.0)?;
+    let angle = eye_angle.unwrap_or(EYE_ANGLE);
+    let ways = [
+        ("none", Stereo::None),
+        ("anaglyph", Stereo::Anaglyph { eye_angle: angle }),
+        ("side_by_side", Stereo::SideBySide { eye_angle: angle }),
+    ];
+    let stereo = table.choice("stereo", &ways, &[])?.unwrap_or(Stereo::None);
+    if stereo == Stereo::None && eye_angle.is_some() {
+        let what = "means nothing for one eye; expected e.g. stereo = \"anaglyph\" beside it";
+        return Err(table.error("eye_angle", what));
+    }
+    Ok(stereo)
+}
+
+/// Degrees between the eyes: VTK's.
+const EYE_ANGLE: f64 = 2.0;

@@ -151,6 +151,18 @@ messages! {
         => "t.toml:2: material.texture: is not supported yet";
     same_names: "[[material]]\nname = \"a\"\n[[material]]\nname = \"a\""
         => "t.toml:4: material.name: \"a\" is the name of another; expected a name of its own";
+    too_fine: "[display]\nwidth = 1100\nantialiasing = \"2x2\""
+        => "t.toml:2: display.width: 1100 is too much with anti-aliasing or an anaglyph, which \
+            draw 2 times as many pixels; expected at most 1024, e.g. width = 1024";
+    antialiasing: "[display]\nantialiasing = \"4x4\""
+        => "t.toml:2: display.antialiasing: \"4x4\" is unknown; expected \"none\" or \"2x2\" or \
+            \"2x1\" or \"1x2\"";
+    stereo: "[display]\nstereo = \"both\""
+        => "t.toml:2: display.stereo: \"both\" is unknown; expected \"none\" or \"anaglyph\" or \
+            \"side_by_side\"";
+    one_eye: "[display]\neye_angle = 2"
+        => "t.toml:2: display.eye_angle: means nothing for one eye; \
+            expected e.g. stereo = \"anaglyph\" beside it";
     fog_density: "[fog]\ncolour = \"#808080\"\ndensity = 0.1"
         => "t.toml:3: fog.density: means nothing here; fog of mode \"linear\" has start and end";
     fog_end: "[fog]\ncolour = \"#808080\"\nstart = 5\nend = 4"
