@@ -75,7 +75,7 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
     at_most("materials", scene.materials.len(), 65535)?;
     at_most("lights with a direction", scene.lights.len(), LIGHTS)?;
     let units = Units::new(scene);
-    let tables = tables(scene);
+    let tables = tables(scene, &[]);
     let placed = placed(scene)?;
     let (instances, uses) = instances(scene, &placed);
     let mut parts = Parts::default();

@@ -19,6 +19,11 @@ mod palette;
 mod placement;
 mod records;
 mod snap;
+#[cfg_attr(
+    not(test),
+    expect(dead_code, reason = "the blob holds no textures yet")
+)]
+mod texture;
 mod track;
 mod unbake;
 mod units;

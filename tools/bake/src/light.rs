@@ -80,6 +80,8 @@ pub(crate) fn material(scene: &Scene, path: Path, material: &Material) -> core_s
     let (shade, coloured) = match path {
         Path::Level(shade) => (shade, false),
         Path::Colour => (0, true),
+        // Refused before it gets here.
+        Path::Textured(_) => (0, false),
     };
     let plain = scene.lights.iter().all(|light| {
         let [r, g, b] = light.colour;

@@ -11,9 +11,14 @@ pub(crate) fn check(scene: &Scene) -> Result<(), BakeError> {
         .actors
         .iter()
         .find(|actor| actor.look != Look::default());
-    match other {
-        Some(actor) => Err(BakeError::NotYet {
+    if let Some(actor) = other {
+        return Err(BakeError::NotYet {
             what: format!("actor `{}`: a look other than a surface", actor.name),
+        });
+    }
+    match scene.materials.iter().find(|m| m.texture.is_some()) {
+        Some(material) => Err(BakeError::NotYet {
+            what: format!("material `{}`: texture", material.name),
         }),
         None => Ok(()),
     }

@@ -52,6 +52,7 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
                 )
             })
             .collect(),
+        textures: Vec::new(),
         materials: (0..blob.material_count())
             .map(|i| {
                 material(

@@ -49,6 +49,7 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
         rgb: pixels(scene, &index),
         index,
         depth: drawn.depth.clone(),
+        texture_place: Vec::new(),
         lookup: Lookup {
             paths: (0..scene.material_count()).map(path).collect(),
             colours: if coloured {

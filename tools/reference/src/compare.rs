@@ -18,6 +18,7 @@ const TIE_LSB: f64 = 1.0;
 pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
     frame.check(truth, truth.materials)?;
     let (mut depth, mut level) = (Differences::default(), Differences::default());
+    let mut texel = Differences::default();
     let (mut missing_or_extra, mut visible, mut union, mut equal) = (0, 0, 0, 0);
     let mut mismatches = Vec::new();
     let through_palette = frame.lookup.indices(truth);
@@ -33,6 +34,12 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
                 if let Some(hit) = &truth.pixels[i] {
                     depth.add(i, f64::from(frame.depth[i]) - hit.depth_lsb, 1.0);
                     level.add(i, light_difference(frame, hit, i), 2.0);
+                    if let (Some(true_place), Some(place)) =
+                        (hit.texture_place, frame.texture_place.get(i))
+                    {
+                        let off = [0, 1].map(|axis| (true_place[axis] - place[axis]).abs());
+                        texel.add(i, off[0].max(off[1]), 1.0);
+                    }
                 }
                 None
             }
@@ -84,6 +91,8 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
         rgb_psnr_true_covered_db: covered.db(),
         depth_max_at: depth.max_at.map(at),
         level_max_at: level.max_at.map(at),
+        texel_max: texel.max,
+        texel_mean: texel.mean(),
         mismatches,
     })
 }

@@ -1,6 +1,9 @@
 //! A picture from the renderer under test, as plain arrays.
 
+use crate::oklab::oklab;
 use crate::truth::{Hit, Truth};
+use fixel_scene::Rgb;
+use glam::DVec3;
 use std::fmt;
 
 /// How many colours a [`Lookup`] tells apart: 4 bits a channel.
@@ -11,7 +14,7 @@ pub const NO_TRIANGLE: u32 = u32::MAX;
 
 /// What the renderer under test drew. Pixels go by rows from the top left;
 /// each array has `width * height` elements.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     /// Width in pixels.
     pub width: u32,
@@ -25,7 +28,7 @@ pub struct Frame {
     /// the baked order); [`NO_TRIANGLE`] where nothing is seen.
     pub triangle: Vec<u32>,
     /// Light before it is looked up: of a material that goes by level
-    /// ([`Path::Level`]) three times its level, of one that goes by colour
+    /// ([`Path::Level`], [`Path::Textured`]) three times its level, of one that goes by colour
     /// ([`Path::Colour`]) red, green and blue, each 0..=255; any where nothing is
     /// seen.
     pub light: Vec<[u8; 3]>,
@@ -33,6 +36,9 @@ pub struct Frame {
     pub index: Vec<u8>,
     /// The colour shown, 8 bits a channel.
     pub rgb: Vec<[u8; 3]>,
+    /// The place in the texture, in texels from its top left corner, before wrapping,
+    /// where there is a texture; of all pixels, or of none if it is not known.
+    pub texture_place: Vec<[f64; 2]>,
     /// How the renderer gets from light to a colour.
     pub lookup: Lookup,
 }
@@ -45,6 +51,28 @@ pub enum Path {
     Level(Box<[u8; 256]>),
     /// By its colour, through [`Lookup::colours`].
     Colour,
+    /// By light level and texel: a texel's colour becomes the nearest base colour in
+    /// Oklab.
+    Textured {
+        /// Base colours, at least one.
+        bases: Vec<[u8; 3]>,
+        /// The palette index of each base colour in each range of levels: `R` rows of
+        /// a base each, `R` a power of two up to 256; level `l` is in row
+        /// `l * R / 256`, rounded down.
+        shade: Vec<u8>,
+    },
+}
+
+impl Path {
+    /// The table of shades, its length and what that should be.
+    fn shade_lengths(&self) -> Option<(&'static str, usize, usize)> {
+        let Self::Textured { bases, shade } = self else {
+            return None;
+        };
+        let columns = bases.len().max(1);
+        let rows = shade.len().div_ceil(columns).next_power_of_two();
+        Some(("shade", shade.len(), rows.min(256) * columns))
+    }
 }
 
 /// From light to a palette index, and on to a colour.
@@ -152,6 +180,9 @@ impl Frame {
                 .map(|i| lookup.palette[usize::from(*i)])
                 .collect(),
             index,
+            texture_place: hits()
+                .map(|p| p.and_then(|hit| hit.texture_place).unwrap_or_default())
+                .collect(),
             lookup,
         }
     }
@@ -178,6 +209,10 @@ impl Frame {
             ("paths", lookup.paths.len().min(materials), materials),
             ("colours", lookup.colours.len(), lookup.colours_needed()),
         ];
+        let shades = lookup.paths.iter().filter_map(Path::shade_lengths);
+        let places = Some(self.texture_place.len()).filter(|count| *count > 0);
+        let places = places.map(|count| ("texture_place", count, pixels));
+        let lengths = lengths.into_iter().chain(shades).chain(places);
         for (array, found, needed) in lengths {
             if found != needed {
                 return Err(FrameError::Length {
@@ -189,7 +224,8 @@ impl Frame {
         }
         let colours = lookup.palette.len();
         let levels = lookup.paths.iter().filter_map(|path| match path {
-            Path::Level(indices) => Some(indices.iter()),
+            Path::Level(indices) => Some(&indices[..]),
+            Path::Textured { shade, .. } => Some(&shade[..]),
             Path::Colour => None,
         });
         let others = lookup.colours.iter().chain(&lookup.background);
@@ -208,20 +244,27 @@ impl Frame {
 impl Lookup {
     /// The palette index of every pixel of the truth, without dithering.
     pub(crate) fn indices(&self, truth: &Truth) -> Vec<u8> {
+        let bases: Vec<Nearest> = self.paths.iter().map(Nearest::of).collect();
         let index = |(i, pixel): (usize, &Option<Hit>)| match pixel {
-            Some(hit) => self.index(hit),
+            Some(hit) => self.index(hit, &bases),
             None => self.background[i],
         };
         truth.pixels.iter().enumerate().map(index).collect()
     }
 
-    fn index(&self, hit: &Hit) -> u8 {
+    fn index(&self, hit: &Hit, bases: &[Nearest]) -> u8 {
         let clear = match &self.paths[hit.material] {
             Path::Level(indices) => indices[hit.level.round() as usize],
             Path::Colour => {
                 let step = |channel: f64| (15.0 * channel).round() as usize;
                 let [red, green, blue] = hit.colour.map(step);
                 self.colours[red << 8 | green << 4 | blue]
+            }
+            Path::Textured { shade, .. } => {
+                let nearest = &bases[hit.material];
+                let base = nearest.index(hit.texel.unwrap_or([1.0; 3]));
+                let rows = shade.len() / nearest.len();
+                shade[hit.level.round() as usize * rows / 256 * nearest.len() + base]
             }
         };
         match self.fog.len().checked_sub(1) {
@@ -233,7 +276,7 @@ impl Lookup {
     /// The light of the truth as [`Frame::light`] has it, unrounded.
     pub(crate) fn light(&self, hit: &Hit) -> [f64; 3] {
         match self.paths[hit.material] {
-            Path::Level(_) => [hit.level; 3],
+            Path::Level(_) | Path::Textured { .. } => [hit.level; 3],
             Path::Colour => hit.colour.map(|channel| 255.0 * channel),
         }
     }
@@ -242,5 +285,31 @@ impl Lookup {
     fn colours_needed(&self) -> usize {
         let needed = !self.colours.is_empty() || self.paths.contains(&Path::Colour);
         if needed { COLOURS } else { 0 }
+    }
+}
+
+/// The base colours of a path, in Oklab.
+struct Nearest(Vec<DVec3>);
+
+impl Nearest {
+    fn of(path: &Path) -> Self {
+        let unit = |base: &[u8; 3]| base.map(|c| f64::from(c) / 255.0);
+        match path {
+            Path::Textured { bases, .. } => Self(bases.iter().map(|b| oklab(unit(b))).collect()),
+            _ => Self(Vec::new()),
+        }
+    }
+
+    fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// The nearest to a colour.
+    fn index(&self, colour: Rgb) -> usize {
+        let target = oklab(colour);
+        let distance = |i: &usize| self.0[*i].distance_squared(target);
+        let all = 0..self.0.len();
+        all.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+            .unwrap_or(0)
     }
 }

@@ -2,17 +2,18 @@
 
 use crate::light::{Lights, Lit, SurfacePoint, mix};
 use crate::model::actor_matrix;
-use crate::ray::{Meeting, Ray};
+use crate::ray::{self, Meeting, Ray};
+use crate::texture::{Texel, Texture};
 use crate::view::View;
-use fixel_scene::{Actor, Cull, Material, Mesh, Scene, Shading};
-use glam::{DMat3, DVec3};
+use fixel_scene::{Actor, Cull, Material, Mesh, Scene, Shading, Texturing};
+use glam::{DMat3, DVec2, DVec3};
 
 /// How a face is lit.
 #[derive(Clone, Debug)]
 pub(crate) enum Shade {
     /// Light at the corners, to be interpolated; three times the same for flat
     /// shading.
-    Corners([Lit; 3]),
+    Corners(Box<[Lit; 3]>),
     /// The corners' surface, to be interpolated and lit at each pixel.
     Pixels(Box<[SurfacePoint; 3]>),
 }
@@ -31,6 +32,18 @@ pub(crate) struct Face {
     pub triangle: usize,
     /// Which sides are left out.
     pub cull: Cull,
+    /// The texture on it.
+    pub texture: Option<Box<Laid>>,
+}
+
+/// How a texture lies on a face.
+#[derive(Clone, Debug)]
+pub(crate) struct Laid {
+    how: Texturing,
+    /// Places of the corners in the texture, in texels.
+    corners: [DVec2; 3],
+    /// Whether places are interpolated over the surface.
+    over_surface: bool,
 }
 
 impl Face {
@@ -45,6 +58,16 @@ impl Face {
         };
         (!culled && view.in_range(meeting.w)).then_some(meeting)
     }
+
+    /// Weights of the corners at a place on the screen, for the texture.
+    fn weights(&self, [x, y]: [f64; 2], laid: &Laid, view: &View) -> [f64; 3] {
+        if laid.over_surface {
+            view.ray_through([x, y]).weights(self.corners)
+        } else {
+            let corners = self.corners.map(|corner| view.to_screen_px(corner));
+            ray::weights(corners.map(|[cx, cy]| [cx - x, cy - y]))
+        }
+    }
 }
 
 /// All triangles of a scene, in the order of actors, then of triangles.
@@ -54,6 +77,7 @@ pub(crate) struct Geometry {
     pub faces: Vec<Face>,
     /// What lights them.
     lights: Lights,
+    textures: Vec<Texture>,
     /// Index in `faces` of each actor's first triangle, and one past the last.
     first: Vec<usize>,
 }
@@ -62,15 +86,18 @@ impl Geometry {
     /// Places and lights everything at an animation frame.
     pub fn new(scene: &Scene, view: &View, frame: u32) -> Self {
         let lights = Lights::new(scene);
+        let textures: Vec<Texture> = scene.textures.iter().map(Texture::new).collect();
         let mut faces = Vec::new();
         let mut first = vec![0];
         for (index, actor) in scene.actors.iter().enumerate() {
-            place(scene, view, &lights, (index, actor), frame, &mut faces);
+            let given = (view, &lights, &textures[..]);
+            place(scene, given, (index, actor), frame, &mut faces);
             first.push(faces.len());
         }
         Self {
             faces,
             lights,
+            textures,
             first,
         }
     }
@@ -78,7 +105,7 @@ impl Geometry {
     /// Light on a face of `material` where its corners have the given weights.
     pub fn lit(&self, face: &Face, weights: [f64; 3], material: &Material, view: &View) -> Lit {
         match &face.shade {
-            Shade::Corners(lit) => Lit::weighted(*lit, weights),
+            Shade::Corners(lit) => Lit::weighted(**lit, weights),
             Shade::Pixels(corners) => {
                 let place = mix(corners.map(|c| c.place), weights);
                 let at = SurfacePoint {
@@ -90,6 +117,34 @@ impl Geometry {
                 self.lights.shine(material, &at)
             }
         }
+    }
+
+    /// The texture on a face at a pixel: the place in the picture, in texels, and what
+    /// is seen there.
+    pub fn texel(&self, face: &Face, pixel: [u32; 2], view: &View) -> Option<(DVec2, Texel)> {
+        let laid = face.texture.as_deref()?;
+        let [x, y] = View::centre_px(pixel);
+        let place = |x: f64, y: f64| mix(laid.corners, face.weights([x, y], laid, view));
+        // Half a step to either side of the centre.
+        const STEP_PX: f64 = 1e-3;
+        let half = STEP_PX / 2.0;
+        let steps = [
+            place(x + half, y) - place(x - half, y),
+            place(x, y + half) - place(x, y - half),
+        ];
+        let steps = steps.map(|step| step / STEP_PX);
+        let at = place(x, y);
+        let texel = self.textures[laid.how.texture].texel(at, steps, &laid.how);
+        Some((at, texel))
+    }
+
+    /// Whether a face is seen through at a pixel.
+    pub fn is_hole(&self, face: &Face, pixel: [u32; 2], view: &View) -> bool {
+        let tested = |laid: &Laid| laid.how.alpha_test > 0.0;
+        face.texture.as_deref().is_some_and(tested)
+            && self
+                .texel(face, pixel, view)
+                .is_some_and(|(_, texel)| !texel.passes)
     }
 
     /// One face by its actor and its triangle's index in the mesh.
@@ -105,6 +160,7 @@ struct Placing<'a> {
     mesh: &'a Mesh,
     view: &'a View,
     lights: &'a Lights,
+    textures: &'a [Texture],
     /// World places and unit normals of the mesh's vertices.
     places: Vec<DVec3>,
     normals: Vec<DVec3>,
@@ -140,13 +196,28 @@ impl Placing<'_> {
         }
     }
 
+    /// The texture on a face whose corners are there in view space.
+    fn texture(&self, vertices: [usize; 3], corners: [DVec3; 3]) -> Option<Box<Laid>> {
+        let how = self.material.texture?;
+        let coordinates = &self.mesh.texture_coordinates;
+        let texture = &self.textures[how.texture];
+        let whole = corners.iter().all(|corner| self.view.in_range(corner.z));
+        (!coordinates.is_empty()).then(|| {
+            Box::new(Laid {
+                how,
+                corners: vertices.map(|i| texture.place(coordinates[i])),
+                over_surface: how.perspective || !whole,
+            })
+        })
+    }
+
     fn shade(&self, vertices: [usize; 3], at_vertices: &[Lit]) -> Shade {
         match self.material.shading {
             Shading::Flat => {
                 let lit = self.lights.shine(self.material, &self.centre(vertices));
-                Shade::Corners([lit; 3])
+                Shade::Corners(Box::new([lit; 3]))
             }
-            Shading::Gouraud => Shade::Corners(vertices.map(|i| at_vertices[i])),
+            Shading::Gouraud => Shade::Corners(Box::new(vertices.map(|i| at_vertices[i]))),
             Shading::Phong => Shade::Pixels(Box::new(vertices.map(|i| self.vertex(i)))),
         }
     }
@@ -155,8 +226,7 @@ impl Placing<'_> {
 /// Appends one actor's faces.
 fn place(
     scene: &Scene,
-    view: &View,
-    lights: &Lights,
+    (view, lights, textures): (&View, &Lights, &[Texture]),
     (index, actor): (usize, &Actor),
     frame: u32,
     faces: &mut Vec<Face>,
@@ -173,6 +243,7 @@ fn place(
         mesh,
         view,
         lights,
+        textures,
         places: mesh.positions.iter().map(to_world).collect(),
         normals: mesh.normals.iter().map(normal).collect(),
     };
@@ -188,12 +259,14 @@ fn place(
         if mirrored {
             std::mem::swap(&mut b, &mut c);
         }
+        let corners = [a, b, c].map(|i| seen[i]);
         faces.push(Face {
-            corners: [a, b, c].map(|i| seen[i]),
+            corners,
             shade: placing.shade([a, b, c], &at_vertices),
             actor: index,
             triangle,
             cull: material.cull,
+            texture: placing.texture([a, b, c], corners),
         });
     }
 }

@@ -9,6 +9,10 @@ use glam::DVec3;
 pub(crate) struct Lit {
     /// Red, green, blue, each clamped to 0..=1.
     pub colour: DVec3,
+    /// The part of it that is of the surface's own colour, clamped by itself.
+    pub own: DVec3,
+    /// The part that is not: highlights, clamped by themselves.
+    pub gloss: DVec3,
     /// The same for a white material without vertex colours under lights made
     /// grey, 0..=255.
     pub level: f64,
@@ -20,8 +24,15 @@ impl Lit {
         // The weights' sum is 1 but for rounding.
         Self {
             colour: mix(corners.map(|c| c.colour), weights).min(DVec3::ONE),
+            own: mix(corners.map(|c| c.own), weights),
+            gloss: mix(corners.map(|c| c.gloss), weights),
             level: mix(corners.map(|c| c.level), weights).min(255.0),
         }
+    }
+
+    /// The colour under a texture's.
+    pub fn textured(&self, texel: DVec3) -> DVec3 {
+        (texel * self.own + self.gloss).clamp(DVec3::ZERO, DVec3::ONE)
     }
 }
 
@@ -132,12 +143,14 @@ impl Lights {
         specular *= material.specular;
         let diffuse_colour = DVec3::from(material.diffuse_colour) * at.tint;
         let ambient_colour = DVec3::from(material.ambient_colour) * at.tint;
-        let colour = diffuse_colour * (diffuse + material.emission)
-            + ambient_colour * ambient
-            + DVec3::from(material.specular_colour) * specular;
+        let own = diffuse_colour * (diffuse + material.emission) + ambient_colour * ambient;
+        let gloss = DVec3::from(material.specular_colour) * specular;
+        let clamped = |colour: DVec3| colour.clamp(DVec3::ZERO, DVec3::ONE);
         let grey = mean((ambient + diffuse + specular).into());
         Lit {
-            colour: colour.clamp(DVec3::ZERO, DVec3::ONE),
+            colour: clamped(own + gloss),
+            own: clamped(own),
+            gloss: clamped(gloss),
             level: 255.0 * (material.emission + grey).clamp(0.0, 1.0),
         }
     }

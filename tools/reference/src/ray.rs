@@ -57,6 +57,12 @@ impl Ray {
         })
     }
 
+    /// Weights of a triangle's vertices where the ray's line meets its plane, inside
+    /// or out of it; sum 1.
+    pub fn weights(&self, triangle: [DVec3; 3]) -> [f64; 3] {
+        weights(triangle.map(|v| self.shear(v)))
+    }
+
     /// A vertex relative to the ray at the vertex's own distance.
     fn shear(&self, v: DVec3) -> [f64; 2] {
         [
@@ -64,6 +70,13 @@ impl Ray {
             (v.y - self.origin[1]) - self.slope[1] * v.z,
         ]
     }
+}
+
+/// Weights of three points of a plane whose mean is (0, 0); sum 1.
+pub(crate) fn weights([a, b, c]: [[f64; 2]; 3]) -> [f64; 3] {
+    let edges = [edge(b, c), edge(c, a), edge(a, b)].map(|(value, _)| value);
+    let sum: f64 = edges.iter().sum();
+    edges.map(|value| value / sum)
 }
 
 /// The cross product of two sheared vertices, and whether the ray passes left

@@ -3,7 +3,7 @@
 use crate::bvh::Bvh;
 use crate::fog::fog_part;
 use crate::geometry::{Face, Geometry};
-use crate::ray::{Meeting, Ray};
+use crate::ray::Meeting;
 use crate::truth::{Hit, Truth};
 use crate::view::View;
 use crate::window::{Window, row_colour, sampled_size};
@@ -59,10 +59,9 @@ pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sy
                 let places = (0..width).filter_map(|x| Some((x, window.place(x, y)?)));
                 for (x, [column, y]) in places {
                     let (geometry, view) = (&window.geometry, &window.view);
-                    let ray = view.ray(column, y);
                     background[x as usize] = window.background(y);
-                    row[x as usize] = nearest(&geometry.faces, bvh, view, &ray)
-                        .map(|seen| seen.hit(geometry, view, scene));
+                    row[x as usize] = nearest(geometry, bvh, view, [column, y])
+                        .map(|seen| seen.hit(geometry, view, scene, [column, y]));
                 }
             }
             row_done();
@@ -90,10 +89,12 @@ struct Seen<'a> {
 }
 
 impl Seen<'_> {
-    fn hit(&self, geometry: &Geometry, view: &View, scene: &Scene) -> Hit {
+    fn hit(&self, geometry: &Geometry, view: &View, scene: &Scene, at: [u32; 2]) -> Hit {
         let (face, weights) = (self.face, self.meeting.weights);
         let material = scene.actors[face.actor].material;
         let lit = geometry.lit(face, weights, &scene.materials[material], view);
+        let texel = geometry.texel(face, at, view);
+        let colour = texel.map_or(lit.colour, |(_, texel)| lit.textured(texel.colour));
         let depth_lsb = view.depth_lsb(self.meeting.w);
         Hit {
             depth_lsb,
@@ -103,7 +104,9 @@ impl Seen<'_> {
             weights,
             level: lit.level,
             fog: scene.fog.map_or(0.0, |fog| fog_part(&fog, self.meeting.w)),
-            colour: lit.colour.into(),
+            colour: colour.into(),
+            texel: texel.map(|(_, texel)| texel.colour.into()),
+            texture_place: texel.map(|(place, _)| place.into()),
             margin_lsb: self
                 .second
                 .map_or(f64::INFINITY, |w| depth_lsb - view.depth_lsb(w)),
@@ -111,12 +114,17 @@ impl Seen<'_> {
     }
 }
 
-fn nearest<'a>(faces: &'a [Face], bvh: &Bvh, view: &View, ray: &Ray) -> Option<Seen<'a>> {
+fn nearest<'a>(geometry: &'a Geometry, bvh: &Bvh, view: &View, at: [u32; 2]) -> Option<Seen<'a>> {
+    let faces = &geometry.faces;
+    let ray = view.ray(at[0], at[1]);
     let [near, far] = view.range();
     let mut best: Option<(usize, Meeting)> = None;
     let mut second: Option<f64> = None;
-    bvh.walk(ray, near, far, |index| {
-        if let Some(meeting) = faces[index].seen(ray, view) {
+    bvh.walk(&ray, near, far, |index| {
+        let face = &faces[index];
+        if let Some(meeting) = face.seen(&ray, view)
+            && !geometry.is_hole(face, at, view)
+        {
             match best {
                 Some(old) if !in_front((index, meeting.w), (old.0, old.1.w)) => {
                     second = Some(second.map_or(meeting.w, |w| w.min(meeting.w)));

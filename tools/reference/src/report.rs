@@ -63,6 +63,13 @@ pub struct Report {
     pub depth_max_at: Option<[u32; 2]>,
     /// Column and row of the greatest light difference.
     pub level_max_at: Option<[u32; 2]>,
+    /// Greatest difference of the place in the texture, in texels across or down,
+    /// whichever is more, on agreeing pixels with a texture, if the frame knows.
+    #[serde(default)]
+    pub texel_max: f64,
+    /// Mean of that difference.
+    #[serde(default)]
+    pub texel_mean: f64,
     /// The first 20 pixels that count as a coverage or visible mismatch, by
     /// rows from the top.
     pub mismatches: Vec<Mismatch>,

@@ -19,7 +19,7 @@ pub struct Hit {
     /// Weights of the triangle's corners in 3D, in the order of the mesh's
     /// triangle (of a reflected actor: with the last two swapped).
     pub weights: [f64; 3],
-    /// Light on the surface if its material's colours were white, it had no
+    /// Light on the surface, without texture, if its material's colours were white, it had no
     /// vertex colours, and each light (the ambient one too) were the grey of its
     /// channels' mean: 0..=255, clamped where the light model is worked out. For
     /// grey lights and a material whose highlights have its diffuse colour, this
@@ -30,6 +30,10 @@ pub struct Hit {
     pub colour: Rgb,
     /// How much of what is seen is fog, 0..=1; `level` and `colour` are without.
     pub fog: f64,
+    /// The texture's own colour there, before any light, if there is a texture.
+    pub texel: Option<Rgb>,
+    /// The place in the texture, in texels from its top left corner, before wrapping.
+    pub texture_place: Option<[f64; 2]>,
     /// How much farther the next surface at this pixel is, in depth units;
     /// infinite if there is none.
     pub margin_lsb: f64,

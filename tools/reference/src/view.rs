@@ -101,9 +101,24 @@ impl View {
     /// The ray through the centre of a pixel (column `x`, row `y`, counted
     /// down from the top).
     pub(crate) fn ray(&self, x: u32, y: u32) -> Ray {
+        self.ray_through(Self::centre_px([x, y]))
+    }
+
+    /// A pixel's centre on the screen.
+    pub(crate) fn centre_px(pixel: [u32; 2]) -> [f64; 2] {
+        [0, 1].map(|i| f64::from(pixel[i]) + 0.5 + TIE_SHIFT_PX[i])
+    }
+
+    /// The place on the screen, in pixels, of a point of view space before the eye.
+    pub(crate) fn to_screen_px(&self, point: DVec3) -> [f64; 2] {
+        let w = if self.perspective { point.z } else { 1.0 };
+        let along = |at: f64, i: usize| (at / w / self.half[i] + 1.0) * self.size_px[i] / 2.0;
+        [along(point.x, 0), along(-point.y, 1)]
+    }
+
+    /// The ray through a place on the screen.
+    pub(crate) fn ray_through(&self, [x_px, y_px]: [f64; 2]) -> Ray {
         let along = |at: f64, size: f64, half: f64| (2.0 * at / size - 1.0) * half;
-        let x_px = f64::from(x) + 0.5 + TIE_SHIFT_PX[0];
-        let y_px = f64::from(y) + 0.5 + TIE_SHIFT_PX[1];
         let sx = along(x_px, self.size_px[0], self.half[0]);
         let sy = -along(y_px, self.size_px[1], self.half[1]);
         if self.perspective {

@@ -25,8 +25,17 @@ const BACKGROUND: [u8; 3] = [0x18, 0x20, 0x2c];
 pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error> {
     let mut loaded = mesh::load(path)?;
     notes.append(&mut loaded.notes);
-    let colour = loaded.colour.unwrap_or([1.0; 3]);
-    let meshes = vec![loaded.mesh];
+    let mut textures = Vec::new();
+    let material = Material {
+        name: "default".to_owned(),
+        ambient: 0.15,
+        diffuse: 0.85,
+        ..loaded.surface.unwrap_or_default().material(&mut textures)
+    };
+    let mut meshes = vec![loaded.mesh];
+    if material.texture.is_none() {
+        mesh::forget_texture_coordinates(&mut meshes[0]);
+    }
     let actors = vec![Actor {
         name: meshes[0].name.clone(),
         ..Actor::default()
@@ -60,14 +69,8 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
             colour: [1.0; 3],
             intensity: 1.0,
         }],
-        materials: vec![Material {
-            name: "default".to_owned(),
-            ambient_colour: colour,
-            diffuse_colour: colour,
-            ambient: 0.15,
-            diffuse: 0.85,
-            ..Material::default()
-        }],
+        textures,
+        materials: vec![material],
         meshes,
         actors,
         fog: None,

@@ -7,6 +7,7 @@
 //! red, green, blue in 0..=1. Meanings of camera and actor fields are VTK's.
 
 use crate::look::Look;
+use crate::texture::{Texture, Texturing};
 
 /// A colour: display-encoded red, green and blue, each in 0..=1.
 pub type Rgb = [f64; 3];
@@ -27,6 +28,8 @@ pub struct Scene {
     /// Lights other than ambient. A file without any `[[light]]` gets one
     /// white headlight along the camera's line of sight.
     pub lights: Vec<Light>,
+    /// Textures, each file once.
+    pub textures: Vec<Texture>,
     /// Materials, in the file's order.
     pub materials: Vec<Material>,
     /// Meshes, each file once.
@@ -284,6 +287,9 @@ pub struct Material {
     pub shading: Shading,
     /// Which faces are left out. Default back faces.
     pub cull: Cull,
+    /// What multiplies its ambient and diffuse colour from place to place. Every
+    /// mesh that it is on, as a surface, has texture coordinates.
+    pub texture: Option<Texturing>,
 }
 
 impl Default for Material {
@@ -301,6 +307,7 @@ impl Default for Material {
             emission: 0.0,
             shading: Shading::Gouraud,
             cull: Cull::Back,
+            texture: None,
         }
     }
 }
@@ -346,6 +353,10 @@ pub struct Mesh {
     /// diffuse colour (which emission takes up too) are multiplied by them, as
     /// glTF does with its base colour, though here on display-encoded values.
     pub colours: Vec<Rgb>,
+    /// Texture coordinates `(u, v)`, as many as positions, or none: `u` goes to the
+    /// right, `v` up, (0, 0) is the picture's lower left corner, (1, 1) its upper
+    /// right one. Meshes that no textured material is on have none.
+    pub texture_coordinates: Vec<[f64; 2]>,
     /// Vertex indices, counter-clockwise seen from outside. May hold
     /// triangles without area; indices are all within `positions`.
     pub triangles: Vec<[u32; 3]>,

@@ -11,6 +11,7 @@ mod look;
 mod mesh;
 mod motion;
 mod picture;
+mod texture;
 
 use std::path::Path;
 
@@ -18,6 +19,7 @@ pub use description::*;
 pub use error::Error;
 pub use look::*;
 pub use motion::Reach;
+pub use texture::*;
 
 /// Reads a scene file (`.toml`), or a bare mesh (`.obj`, `.glb`, `.gltf`,
 /// `.stl`, `.ply`), which is framed automatically. Extensions may be in

@@ -4,6 +4,8 @@ use std::io::Cursor;
 
 use image::{ImageError, ImageFormat, ImageReader, Limits};
 
+use crate::texture::Texture;
+
 /// More than this a side is no picture for a microcontroller.
 const MOST_PX: u32 = 8192;
 /// What decoding may take.
@@ -17,6 +19,18 @@ pub(crate) struct Picture {
     /// Display-encoded red, green, blue, and alpha, which is 255 where all is
     /// covered.
     pub pixels: Vec<[u8; 4]>,
+}
+
+impl Picture {
+    /// As a texture of a name.
+    pub(crate) fn texture(self, name: &str) -> Texture {
+        Texture {
+            name: name.to_owned(),
+            width: self.width,
+            height: self.height,
+            texels: self.pixels,
+        }
+    }
 }
 
 /// The picture in a file's bytes; 16 bits a channel become 8.

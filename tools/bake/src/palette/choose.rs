@@ -21,7 +21,11 @@ pub(crate) struct Sample {
 /// Rounds of moving entries to the middle of what they stand for.
 const ROUNDS: usize = 12;
 
-/// Samples that are the same to 6 bits a channel, as one.
+/// Different colours are told apart to 8 bits a channel, or to as many fewer as leave
+/// at most so many.
+const MOST_BINS: usize = 16384;
+
+/// Samples that are the same to some bits a channel, as one.
 struct Bin {
     lab: Lab,
     weight: f64,
@@ -54,10 +58,22 @@ pub(crate) fn choose(samples: &[Sample], fixed: &[[u8; 3]], most: usize) -> Vec<
 }
 
 fn bins(samples: &[Sample]) -> Vec<Bin> {
+    let mut bins = Vec::new();
+    for lost in 0..8 {
+        bins = bins_of(samples, lost);
+        if bins.len() <= MOST_BINS {
+            break;
+        }
+    }
+    bins
+}
+
+/// `lost` bits of 8 are not looked at.
+fn bins_of(samples: &[Sample], lost: u32) -> Vec<Bin> {
     let mut sums: BTreeMap<[u8; 3], (Lab, f64)> = BTreeMap::new();
     for sample in samples.iter().filter(|sample| sample.weight > 0.0) {
         let lab = from_rgb(sample.colour);
-        let key = to_bytes(sample.colour).map(|channel| channel >> 2);
+        let key = to_bytes(sample.colour).map(|channel| channel >> lost);
         let (sum, weight) = sums.entry(key).or_default();
         *sum = [0, 1, 2].map(|i| sum[i] + lab[i] * sample.weight);
         *weight += sample.weight;

@@ -2,7 +2,7 @@
 //! needs. [`Material`] has the formula.
 
 use fixel_scene::{Light, LightKind, Material, Scene};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// A point of a surface.
 #[derive(Clone, Copy, Debug)]
@@ -13,25 +13,65 @@ pub(super) struct Point {
     pub normal: DVec3,
     /// The vertex colour.
     pub tint: DVec3,
+    /// In the texture, if there is one.
+    pub coordinates: DVec2,
+}
+
+/// What light makes of a surface.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lit {
+    /// The part that is of the surface's own colour.
+    pub own: DVec3,
+    /// Highlights.
+    pub gloss: DVec3,
+}
+
+impl Lit {
+    /// Between three others.
+    pub(super) fn mix([a, b, c]: [Self; 3], [u, v, w]: [f64; 3]) -> Self {
+        Self {
+            own: a.own * u + b.own * v + c.own * w,
+            gloss: a.gloss * u + b.gloss * v + c.gloss * w,
+        }
+    }
+
+    /// Each part, or the sum, as bright as it can be shown.
+    pub(super) fn clamped(self, textured: bool) -> Self {
+        let clamp = |colour: DVec3| colour.clamp(DVec3::ZERO, DVec3::ONE);
+        if textured {
+            Self {
+                own: clamp(self.own),
+                gloss: clamp(self.gloss),
+            }
+        } else {
+            Self {
+                own: clamp(self.own + self.gloss),
+                gloss: DVec3::ZERO,
+            }
+        }
+    }
 }
 
 impl Point {
     /// Between three others.
     pub(super) fn mix([a, b, c]: &[Self; 3], [u, v, w]: [f64; 3]) -> Self {
         let mix = |get: fn(&Self) -> DVec3| get(a) * u + get(b) * v + get(c) * w;
+        let coordinates = a.coordinates * u + b.coordinates * v + c.coordinates * w;
         Self {
             place: mix(|p| p.place),
             normal: mix(|p| p.normal).normalize_or_zero(),
             tint: mix(|p| p.tint),
+            coordinates,
         }
     }
 }
 
-/// Red, green, blue, each in 0..=1. `eye` is the unit vector towards it.
-pub(super) fn lit(scene: &Scene, material: &Material, point: &Point, eye: DVec3) -> DVec3 {
+/// Red, green, blue. `eye` is the unit vector towards it.
+pub(super) fn lit(scene: &Scene, material: &Material, point: &Point, eye: DVec3) -> Lit {
     let diffuse = DVec3::from(material.diffuse_colour) * point.tint;
     let ambient = DVec3::from(material.ambient_colour) * point.tint;
-    let mut sum =
+    let mut gloss = DVec3::ZERO;
+    let mut own =
         diffuse * material.emission + ambient * DVec3::from(scene.ambient) * material.ambient;
     for light in &scene.lights {
         let Some((towards, strength)) = reach(light, point.place) else {
@@ -41,11 +81,11 @@ pub(super) fn lit(scene: &Scene, material: &Material, point: &Point, eye: DVec3)
         if cosine > 0.0 {
             let mirrored = point.normal * (2.0 * cosine) - towards;
             let gleam = libm::pow(mirrored.dot(eye).max(0.0), material.specular_power);
-            let highlight = DVec3::from(material.specular_colour) * (material.specular * gleam);
-            sum += strength * (diffuse * (material.diffuse * cosine) + highlight);
+            own += strength * diffuse * (material.diffuse * cosine);
+            gloss += strength * DVec3::from(material.specular_colour) * (material.specular * gleam);
         }
     }
-    sum.clamp(DVec3::ZERO, DVec3::ONE)
+    Lit { own, gloss }
 }
 
 /// The unit vector towards a light, and what of its light gets to a place.

@@ -4,9 +4,9 @@
 //! level, they lie on ramps: each material's colour at every light level that its
 //! coefficients and the scene's lights can give, and the background. The palette's
 //! entries are dealt out among these ramps in proportion to their length in Oklab,
-//! evenly along each. If some material goes by colour, surfaces are sampled under the
-//! scene's lights, and the palette is made by k-means in Oklab; so it is if there is
-//! fog, with each sample both clear and fogged.
+//! evenly along each. If some material goes by colour or has a texture, surfaces are
+//! sampled under the scene's lights, and the palette is made by k-means in Oklab; so
+//! it is if there is fog, with each sample both clear and fogged.
 //!
 //! In: the description. Out: [`Tables`], for the blob.
 
@@ -22,7 +22,7 @@ mod way;
 use fixel_scene::{Background, Fog, Light, LightKind, Material, Rgb, Scene, Viewport};
 
 use crate::fog::fogged_row;
-use choose::{Sample, choose};
+pub(crate) use choose::{Sample, choose};
 use fixel::scene::layout::FOG_ROWS;
 use nearest::{Nearest, lookup};
 use ramp::{Ramp, asked_for, deal};
@@ -41,6 +41,9 @@ pub(crate) struct Tables {
     pub paths: Vec<Path>,
     /// Of each material that goes by level, the index of each level.
     pub shades: Vec<[u8; 256]>,
+    /// Of each material with a texture that goes by level, [`TEXTURE_LEVELS`] rows of
+    /// an index for each base colour of the scene's textures.
+    pub texture_shades: Vec<Vec<u8>>,
     /// The index of each colour of 4 bits a channel, 4096 of them: number
     /// `r << 8 | g << 4 | b` is that of the colour `(r, g, b) * 17` of 255. Empty if
     /// no material goes by colour.
@@ -63,9 +66,17 @@ pub(crate) enum Path {
     Level(u16),
     /// By colour, through the table of colours.
     Colour,
+    /// By light level and the texel's base colour, through this one of the tables of
+    /// texture shades.
+    Textured(u16),
 }
 
-pub(crate) fn tables(scene: &Scene) -> Tables {
+/// Rows of a table of texture shades: level `l` is in row `l * TEXTURE_LEVELS / 256`.
+/// Colours are at most 2 of 255 off for it, and each table is a quarter of the size.
+pub(crate) const TEXTURE_LEVELS: usize = 64;
+
+/// `bases` are the base colours of the scene's textures.
+pub(crate) fn tables(scene: &Scene, bases: &[[u8; 3]]) -> Tables {
     let background = background_colours(&scene.display.background);
     let own = |viewport: &Viewport| viewport.background.as_ref().map(background_colours);
     let own: Vec<Vec<Rgb>> = scene
@@ -79,12 +90,13 @@ pub(crate) fn tables(scene: &Scene) -> Tables {
     let ways: Vec<Way> = (0..scene.materials.len())
         .map(|material| Way::of(scene, material))
         .collect();
-    let samples = if ways.contains(&Way::Colour) || scene.fog.is_some() {
+    let textured = scene.materials.iter().any(|m| m.texture.is_some());
+    let samples = if textured || ways.contains(&Way::Colour) || scene.fog.is_some() {
         surface::samples(scene)
     } else {
         Vec::new()
     };
-    let palette = palette(scene, &ways, &backgrounds, &samples);
+    let palette = palette(scene, &backgrounds, &samples);
     let nearest = Nearest::new(&palette);
     let spread = spread(&samples, &palette, &nearest);
     let row = |material: &Material| {
@@ -94,8 +106,26 @@ pub(crate) fn tables(scene: &Scene) -> Tables {
         }
         row
     };
-    let mut shades: Vec<[u8; 256]> = Vec::new();
+    let texture_shade = |material: &Material| {
+        let step = 256 / TEXTURE_LEVELS;
+        let index = |row: usize, base: &[u8; 3]| {
+            // The middle of the row's levels.
+            let level = (row * step) as f64 + (step - 1) as f64 / 2.0;
+            let texel = to_unit(*base);
+            nearest.index([0, 1, 2].map(|c| texel[c] * material.diffuse_colour[c] * level / 255.0))
+        };
+        let mut shades = Vec::new();
+        for row in 0..TEXTURE_LEVELS {
+            shades.extend(bases.iter().map(|base| index(row, base)));
+        }
+        shades
+    };
+    let (mut shades, mut texture_shades) = (Vec::new(), Vec::new());
     let mut path = |(material, way): (&Material, &Way)| match way {
+        Way::Level if material.texture.is_some() => {
+            texture_shades.push(texture_shade(material));
+            Path::Textured(texture_shades.len() as u16 - 1)
+        }
         Way::Level => {
             shades.push(row(material));
             Path::Level(shades.len() as u16 - 1)
@@ -111,6 +141,7 @@ pub(crate) fn tables(scene: &Scene) -> Tables {
     Tables {
         paths,
         shades,
+        texture_shades,
         colours,
         background: indices(&nearest, &background),
         fog: scene
@@ -142,12 +173,7 @@ fn indices(nearest: &Nearest, colours: &[Rgb]) -> Vec<u8> {
 
 /// The palette's entries: a file's, or those asked for and then the best for the
 /// rest.
-fn palette(
-    scene: &Scene,
-    ways: &[Way],
-    backgrounds: &[Vec<Rgb>],
-    samples: &[Sample],
-) -> Vec<[u8; 3]> {
+fn palette(scene: &Scene, backgrounds: &[Vec<Rgb>], samples: &[Sample]) -> Vec<[u8; 3]> {
     let wanted = &scene.palette;
     if !wanted.fixed.is_empty() {
         return wanted.fixed.clone();
@@ -155,7 +181,7 @@ fn palette(
     let most = wanted.colours.clamp(2, 256) as usize;
     let mut palette = asked_for(&wanted.ramps);
     palette.truncate(most);
-    if ways.contains(&Way::Colour) || scene.fog.is_some() {
+    if !samples.is_empty() {
         if let Some(fog) = &scene.fog {
             // What is far away and the sky before which it stands are the same
             // colour if they are meant to be.

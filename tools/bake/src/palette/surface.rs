@@ -3,11 +3,11 @@
 
 use std::f64::consts::PI;
 
-use fixel_scene::{Actor, Cull, Fog, Material, Projection, Scene, Shading};
-use glam::{DMat3, DMat4, DVec3};
+use fixel_scene::{Actor, Cull, Fog, Material, Projection, Scene, Shading, Texturing, Wrap};
+use glam::{DMat3, DMat4, DVec2, DVec3};
 
 use super::choose::Sample;
-use super::light::{Point, lit};
+use super::light::{Lit, Point, lit};
 use crate::fog::{factor, fogged};
 
 /// Samples of a whole picture, about so many.
@@ -45,6 +45,7 @@ struct Surface<'a> {
     normals: Vec<DVec3>,
     triangles: Vec<[usize; 3]>,
     tints: &'a [[f64; 3]],
+    coordinates: &'a [[f64; 2]],
 }
 
 impl<'a> Surface<'a> {
@@ -67,6 +68,7 @@ impl<'a> Surface<'a> {
             normals: mesh.normals.iter().map(normal).collect(),
             triangles: mesh.triangles.iter().map(corners).collect(),
             tints: &mesh.colours,
+            coordinates: &mesh.texture_coordinates,
         }
     }
 
@@ -156,26 +158,59 @@ impl<'a> Surface<'a> {
             place: self.places[index],
             normal: self.normals[index],
             tint: self.tints.get(index).map_or(DVec3::ONE, |c| (*c).into()),
+            coordinates: self
+                .coordinates
+                .get(index)
+                .map_or(DVec2::ZERO, |c| (*c).into()),
         }
     }
 
     /// The colour of a face where its corners have these weights.
     fn colour(&self, triangle: &[usize; 3], weights: [f64; 3]) -> [f64; 3] {
         let points = triangle.map(|i| self.point(i));
-        let light = |point: &Point| lit(self.scene, self.material, point, self.eye(point.place));
-        let colour = match self.material.shading {
+        let here = Point::mix(&points, weights);
+        let texture = self.material.texture;
+        let light = |point: &Point| {
+            let eye = self.eye(point.place);
+            lit(self.scene, self.material, point, eye).clamped(texture.is_some())
+        };
+        let lit = match self.material.shading {
             Shading::Flat => {
                 let mut centre = Point::mix(&points, [1.0 / 3.0; 3]);
                 centre.normal = self.cross(triangle).normalize_or_zero();
                 light(&centre)
             }
-            Shading::Gouraud => {
-                let [a, b, c] = points.map(|point| light(&point));
-                a * weights[0] + b * weights[1] + c * weights[2]
-            }
-            Shading::Phong => light(&Point::mix(&points, weights)),
+            Shading::Gouraud => Lit::mix(points.map(|point| light(&point)), weights),
+            Shading::Phong => light(&here),
         };
-        colour.into()
+        let texel = texture.map_or(DVec3::ONE, |how| self.texel(&how, here.coordinates));
+        (texel * lit.own + lit.gloss)
+            .clamp(DVec3::ZERO, DVec3::ONE)
+            .into()
+    }
+
+    /// The texel around a place.
+    fn texel(&self, how: &Texturing, place: DVec2) -> DVec3 {
+        let texture = &self.scene.textures[how.texture];
+        let at = |place: f64, size: u32| {
+            let size = i64::from(size);
+            let i = (place * size as f64).floor() as i64;
+            let within = match how.wrap {
+                Wrap::Clamp => i.clamp(0, size - 1),
+                Wrap::Repeat => i.rem_euclid(size),
+                Wrap::Mirror => {
+                    let i = i.rem_euclid(2 * size);
+                    i.min(2 * size - 1 - i)
+                }
+            };
+            within as usize
+        };
+        let (x, y) = (
+            at(place.x, texture.width),
+            at(1.0 - place.y, texture.height),
+        );
+        let [red, green, blue, _] = texture.texels[y * texture.width as usize + x];
+        DVec3::from([red, green, blue].map(|c| f64::from(c) / 255.0))
     }
 }
 

@@ -1,5 +1,5 @@
-use fixel_scene::{Ramp as Asked, Shading};
-use glam::DVec3;
+use fixel_scene::{Ramp as Asked, Shading, Texturing};
+use glam::{DVec2, DVec3};
 
 use super::light::{Point, lit};
 use super::nearest::COLOURS;
@@ -111,6 +111,7 @@ fn light_is_as_the_material_says() {
         place: DVec3::ZERO,
         normal: DVec3::Z,
         tint: DVec3::new(1.0, 1.0, 0.5),
+        coordinates: DVec2::ZERO,
     };
     scene.ambient = [1.0, 0.5, 1.0];
     let spot = |cone_angle| Light {
@@ -131,7 +132,8 @@ fn light_is_as_the_material_says() {
         // The mirror image is 60 degrees off the eye: a quarter to the power of 2.
         let light = DVec3::new(4.0, 4.0, 2.0) * beam;
         let wanted = light * DVec3::new(0.25, 0.125, 0.5 * 0.25) + without;
-        let found = lit(&scene, &material, &point, DVec3::Z);
+        let lit = lit(&scene, &material, &point, DVec3::Z);
+        let found = lit.own + lit.gloss;
         assert!(found.distance(wanted) < 1e-9, "{found} {wanted}");
     }
 }
@@ -164,7 +166,7 @@ fn a_coloured_scene_finds_its_colours_in_the_palette() {
     for (most, limit) in [(256, 0.04), (32, 0.09), (8, 0.3)] {
         let mut scene = scene.clone();
         scene.palette.colours = most;
-        let tables = tables(&scene);
+        let tables = tables(&scene, &[]);
         assert!(tables.palette.len() <= most as usize);
         assert!(tables.palette.len() * 10 >= most as usize * 9);
         assert_eq!(tables.paths, [Path::Colour]);
@@ -190,7 +192,7 @@ fn a_coloured_scene_finds_its_colours_in_the_palette() {
 fn the_table_of_colours_names_the_nearest_entry() {
     let mut scene = scene();
     scene.palette.fixed = vec![[0, 0, 0], [255, 255, 255], [255, 0, 0], [0, 0, 200]];
-    let tables = tables(&scene);
+    let tables = tables(&scene, &[]);
     assert_eq!(tables.palette, scene.palette.fixed);
     let at = |r: usize, g: usize, b: usize| tables.colours[r << 8 | g << 4 | b];
     assert_eq!([at(0, 0, 0), at(15, 15, 15), at(15, 0, 0)], [0, 1, 2]);
@@ -208,7 +210,7 @@ fn asked_for_entries_come_first() {
     for mut scene in [scene(), grey()] {
         scene.palette.colours = 20;
         scene.palette.ramps = vec![ramp];
-        let palette = tables(&scene).palette;
+        let palette = tables(&scene, &[]).palette;
         assert!((15..=20).contains(&palette.len()), "{}", palette.len());
         assert_eq!((palette[0], palette[4]), ([0; 3], [255; 3]));
         // Even steps of lightness, hence of its cube root.
@@ -217,7 +219,7 @@ fn asked_for_entries_come_first() {
             assert!((l - lightness).abs() < 0.01 && a.abs() < 0.01 && b.abs() < 0.01);
         }
         scene.palette.colours = 5;
-        assert_eq!(tables(&scene).palette, palette[..5]);
+        assert_eq!(tables(&scene, &[]).palette, palette[..5]);
     }
 }
 
@@ -233,5 +235,84 @@ fn a_light_without_bound_takes_all_levels() {
     scene.materials[0].diffuse = 0.0;
     scene.materials[0].emission = 0.5;
     assert_eq!(reachable_levels(&scene.materials[0], &scene), (127, 128));
-    assert_eq!(tables(&scene).paths, [Path::Level(0)]);
+    assert_eq!(tables(&scene, &[]).paths, [Path::Level(0)]);
+}
+
+/// The sphere in grey light, the upper half of it red, the lower half blue.
+fn textured() -> Scene {
+    let mut scene = grey();
+    scene.textures = vec![fixel_scene::Texture {
+        name: "two".into(),
+        width: 1,
+        height: 2,
+        texels: vec![[255, 0, 0, 255], [0, 0, 255, 255]],
+    }];
+    scene.materials[0].texture = Some(Texturing::new(0));
+    scene.materials[0].ambient = 0.25;
+    let mesh = &mut scene.meshes[0];
+    let v = |p: &[f64; 3]| [0.0, 0.5 + 0.4 * p[1]];
+    mesh.texture_coordinates = mesh.positions.iter().map(v).collect();
+    scene
+}
+
+#[test]
+fn textures_go_by_level_if_each_texel_starts_at_black() {
+    let way = |change: fn(&mut Scene)| {
+        let mut scene = textured();
+        change(&mut scene);
+        Way::of(&scene, 0)
+    };
+    assert_eq!(way(|_| ()), Way::Level);
+    assert_eq!(way(|scene| scene.ambient = [1.0, 0.0, 0.0]), Way::Colour);
+    assert_eq!(
+        way(|scene| scene.materials[0].ambient_colour = [0.5; 3]),
+        Way::Colour
+    );
+    assert_eq!(way(|scene| scene.materials[0].specular = 0.5), Way::Colour);
+    assert_eq!(
+        way(|scene| scene.lights[0].colour = [1.0, 0.0, 0.0]),
+        Way::Colour
+    );
+    assert_eq!(
+        way(|scene| {
+            scene.ambient = [1.0, 0.0, 0.0];
+            scene.materials[0].ambient = 0.0;
+        }),
+        Way::Level
+    );
+}
+
+#[test]
+fn texels_have_their_shades() {
+    let scene = textured();
+    let samples = surface::samples(&scene);
+    let of = |channel: usize| {
+        let other = 2 - channel;
+        let only = |s: &&Sample| s.colour[channel] > 0.2 && s.colour[other] == 0.0;
+        samples.iter().filter(only).count()
+    };
+    assert_eq!(of(0) + of(2), samples.len());
+    assert!(of(0).min(of(2)) * 8 > samples.len());
+
+    let bases = [[0, 0, 255], [255, 0, 0]];
+    let tables = tables(&scene, &bases);
+    assert_eq!(tables.paths, [Path::Textured(0)]);
+    assert!(tables.colours.is_empty() && tables.shades.is_empty());
+    let [shades] = &tables.texture_shades[..] else {
+        panic!("one table");
+    };
+    assert_eq!(shades.len(), TEXTURE_LEVELS * 2);
+    // The camera sees nothing that is darker or lighter. A row is up to 2 levels off, an entry 2.
+    for level in 140..244 {
+        let row = level * TEXTURE_LEVELS / 256;
+        let shown = [0, 1].map(|base| tables.palette[usize::from(shades[2 * row + base])]);
+        for (shown, base) in shown.iter().zip(bases) {
+            let wanted = base.map(|c| f64::from(c) / 255.0 * level as f64);
+            let off = [0, 1, 2].map(|c| (f64::from(shown[c]) - wanted[c]).abs());
+            assert!(
+                off.iter().all(|off| *off <= 4.0),
+                "{level} {shown:?} {wanted:?}"
+            );
+        }
+    }
 }

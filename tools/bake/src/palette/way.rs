@@ -20,15 +20,30 @@ impl Way {
     ///   colour goes on to white where a channel is full and the line ends;
     /// - no actor wears it on a mesh with vertex colours.
     ///
+    /// With a texture, of which each texel is a line of its own, it goes by level if
+    /// moreover these lines start at black:
+    /// - ambient light is grey, or the material takes none;
+    /// - its ambient and diffuse colours are the same;
+    /// - it has no highlights.
+    ///
     /// All others go by colour.
     pub(crate) fn of(scene: &Scene, material: usize) -> Self {
         let surface = &scene.materials[material];
         let tinted = |actor: &&fixel_scene::Actor| {
             actor.material == material && !scene.meshes[actor.mesh].colours.is_empty()
         };
+        let lines_from_black = || {
+            let [red, green, blue] = scene.ambient;
+            let ambient = surface.ambient == 0.0
+                || (red == green
+                    && green == blue
+                    && surface.ambient_colour == surface.diffuse_colour);
+            ambient && surface.specular == 0.0
+        };
         let on_a_line = scene.lights.iter().all(is_grey)
             && has_no_highlight_of_its_own(surface)
-            && !scene.actors.iter().any(|actor| tinted(&actor));
+            && !scene.actors.iter().any(|actor| tinted(&actor))
+            && (surface.texture.is_none() || lines_from_black());
         if on_a_line { Self::Level } else { Self::Colour }
     }
 }

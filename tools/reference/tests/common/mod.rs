@@ -52,6 +52,7 @@ fn scene(width: u32, height: u32, projection: Projection) -> Scene {
         viewports: Vec::new(),
         ambient: [1.0; 3],
         lights: vec![white_light([0.0, 0.0, -1.0])],
+        textures: Vec::new(),
         materials: vec![material()],
         meshes: Vec::new(),
         actors: Vec::new(),

@@ -4,8 +4,10 @@ use std::ops::RangeInclusive;
 
 use super::colour::colour;
 use super::table::{Keys, Neutral, Table};
+use super::texture::texture;
 use crate::description::{Cull, Material, Shading};
 use crate::error::Error;
+use crate::texture::Texture;
 
 /// OpenGL's and VTK's sharpest highlight.
 const POWER: RangeInclusive<f64> = 1.0..=128.0;
@@ -24,18 +26,21 @@ pub(super) const MATERIAL: Keys = Keys {
         "emission",
         "shading",
         "cull",
+        "texture",
     ],
     later: &[
-        ("texture", Neutral::Never),
         ("opacity", Neutral::Number(1.0)),
         ("reflectivity", Neutral::Number(0.0)),
         ("refractive_index", Neutral::Number(1.0)),
-        ("alpha_test", Neutral::Number(0.0)),
     ],
 };
 
 /// Reads one material; `index` names it if it has no name.
-pub(super) fn material(table: &Table<'_, '_>, index: usize) -> Result<Material, Error> {
+pub(super) fn material(
+    table: &Table<'_, '_>,
+    index: usize,
+    textures: &mut Vec<Texture>,
+) -> Result<Material, Error> {
     let name = table.text("name", "clay")?;
     let mut material = Material {
         name: name.map_or_else(|| format!("material {index}"), str::to_owned),
@@ -78,5 +83,6 @@ pub(super) fn material(table: &Table<'_, '_>, index: usize) -> Result<Material, 
     if let Some(cull) = table.choice("cull", &culls, &[])? {
         material.cull = cull;
     }
+    material.texture = texture(table, textures)?;
     Ok(material)
 }

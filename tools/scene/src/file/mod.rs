@@ -17,6 +17,7 @@ mod panel;
 mod table;
 #[cfg(test)]
 mod tests;
+mod texture;
 mod viewport;
 
 use std::ops::RangeInclusive;
@@ -29,7 +30,9 @@ use toml::de::{DeTable, DeValue};
 use crate::description::{Actor, Camera, Light, LightKind, Material, Mesh, Scene};
 use crate::error::Error;
 use crate::framing::Bounds;
-use crate::mesh;
+use crate::look::Representation;
+use crate::mesh::{self, Surface};
+use crate::texture::Texture;
 use table::{Keys, Neutral, Source, Table};
 
 /// Lengths and coordinates stay within this, either side of 0.
@@ -73,9 +76,10 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
     let display = display::display(display.as_ref())?;
     let palette = one(&root, "palette", &palette::PALETTE)?;
     let palette = palette::palette(palette.as_ref())?;
-    let mut materials = materials(&root)?;
+    let mut textures = Vec::new();
+    let mut materials = materials(&root, &mut textures)?;
     let (ambient, lights) = lights(&root)?;
-    let (mut meshes, mut actors) = actors(&root, &materials, notes)?;
+    let (mut meshes, mut actors) = actors(&root, &mut materials, &mut textures, notes)?;
     annotation::annotations(&root, &mut materials, &mut meshes, &mut actors)?;
     if actors.is_empty() {
         let what = "actor: is missing; expected at least one [[actor]] with a mesh";
@@ -99,6 +103,7 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
         viewports,
         ambient,
         lights,
+        textures,
         materials,
         meshes,
         actors,
@@ -161,11 +166,11 @@ fn many<'t, 'i>(
 }
 
 /// All materials; a default one if the file has none.
-fn materials(root: &Table<'_, '_>) -> Result<Vec<Material>, Error> {
+fn materials(root: &Table<'_, '_>, textures: &mut Vec<Texture>) -> Result<Vec<Material>, Error> {
     let mut materials: Vec<Material> = Vec::new();
     for (table, header) in many(root, "material")? {
         let table = Table::new(root.source, "material", table, header, &material::MATERIAL)?;
-        let material = material::material(&table, materials.len())?;
+        let material = material::material(&table, materials.len(), textures)?;
         if materials.iter().any(|other| other.name == material.name) {
             let name = &material.name;
             let what = format!("\"{name}\" is the name of another; expected a name of its own");
@@ -224,11 +229,14 @@ pub(crate) fn headlight(camera: &Camera) -> Light {
 /// All actors and the meshes that they name, each file read once.
 fn actors(
     root: &Table<'_, '_>,
-    materials: &[Material],
+    materials: &mut Vec<Material>,
+    textures: &mut Vec<Texture>,
     notes: &mut Vec<String>,
 ) -> Result<(Vec<Mesh>, Vec<Actor>), Error> {
     let mut paths: Vec<PathBuf> = Vec::new();
-    let mut meshes = Vec::new();
+    let mut meshes: Vec<Mesh> = Vec::new();
+    // What the meshes' files say of their surfaces, until it is asked for.
+    let mut surfaces: Vec<Option<Surface>> = Vec::new();
     let mut actors: Vec<Actor> = Vec::new();
     let mut tables = Vec::new();
     for (table, header) in many(root, "actor")? {
@@ -246,6 +254,7 @@ fn actors(
                         loaded.mesh.name = name.to_owned();
                         notes.append(&mut loaded.notes);
                         meshes.push(loaded.mesh);
+                        surfaces.push(loaded.surface);
                         paths.push(path);
                         meshes.len() - 1
                     }
@@ -255,13 +264,33 @@ fn actors(
                 let known = meshes.iter().position(|other| *other == made);
                 known.unwrap_or_else(|| {
                     meshes.push(made);
+                    surfaces.push(None);
                     // A name that no file has.
                     paths.push(PathBuf::new());
                     meshes.len() - 1
                 })
             }
         };
-        let actor = actor::actor(&table, actors.len(), index, materials)?;
+        let mut actor = actor::actor(&table, actors.len(), index, materials)?;
+        if !table.has("material")
+            && let Some(surface) = &surfaces[index]
+        {
+            let name = &meshes[index].name;
+            let known = materials.iter().position(|other| other.name == *name);
+            actor.material = known.unwrap_or_else(|| {
+                let name = name.clone();
+                let own = surface.material(textures);
+                materials.push(Material { name, ..own });
+                materials.len() - 1
+            });
+        }
+        let textured = materials[actor.material].texture.is_some();
+        let surface = actor.look.representation == Representation::Surface;
+        if textured && surface && meshes[index].texture_coordinates.is_empty() {
+            let what = "has a texture, but the mesh has no texture coordinates; \
+                        expected one with them, e.g. vt of an OBJ file";
+            return Err(table.error("material", what));
+        }
         if table.has("name") && actors.iter().any(|other| other.name == actor.name) {
             let name = &actor.name;
             let what = format!("\"{name}\" is the name of another; expected a name of its own");
@@ -271,5 +300,11 @@ fn actors(
         tables.push(table);
     }
     actor::parents(&tables, &mut actors)?;
+    for (index, mesh) in meshes.iter_mut().enumerate() {
+        let textured = |actor: &Actor| materials[actor.material].texture.is_some();
+        if !actors.iter().any(|a| a.mesh == index && textured(a)) {
+            mesh::forget_texture_coordinates(mesh);
+        }
+    }
     Ok((meshes, actors))
 }

@@ -8,6 +8,8 @@ use crate::description::{
     Background, ColourFormat, Cull, Dithering, Light, LightKind, Material, Palette, Projection,
     Ramp, Scene, Shading,
 };
+use crate::texture::{Filter, Texturing, Wrap};
+use crate::{mesh, picture};
 
 /// A scene file that is not there, among the repository's scenes.
 fn path() -> PathBuf {
@@ -148,7 +150,19 @@ messages! {
     specular_colour: "[[material]]\nspecular_color = \"#ffffff\""
         => "t.toml:2: material.specular_color: is an unknown key; did you mean specular_colour?";
     texture: "[[material]]\ntexture = \"wood.png\""
-        => "t.toml:2: material.texture: is not supported yet";
+        => "t.toml:2: material.texture: \"wood.png\" does not exist";
+    texture_kind: "[[material]]\ntexture = \"meshes/cube.obj\""
+        => "t.toml:2: material.texture: \"meshes/cube.obj\" is not a kind of picture; \
+            expected a PNG or a JPEG file";
+    texture_number: "[[material]]\ntexture = 3"
+        => "t.toml:2: material.texture: is neither a file's name nor a table; \
+            expected e.g. texture = \"textures/wood.png\" \
+            or texture = { file = \"textures/wood.png\", filter = \"nearest\" }";
+    texture_without_file: "[[material]]\ntexture = { wrap = \"repeat\" }"
+        => "t.toml:2: material.texture.file: is missing; \
+            expected e.g. file = \"textures/wood.png\"";
+    texture_key: "[[material]]\n[material.texture]\nfile = \"a.png\"\nfilters = \"nearest\""
+        => "t.toml:4: material.texture.filters: is an unknown key; did you mean filter?";
     same_names: "[[material]]\nname = \"a\"\n[[material]]\nname = \"a\""
         => "t.toml:4: material.name: \"a\" is the name of another; expected a name of its own";
     too_fine: "[display]\nwidth = 1100\nantialiasing = \"2x2\""
@@ -527,4 +541,62 @@ fn viewports_have_defaults() {
         refused(&many),
         "t.toml:9: viewport: is one too many; expected at most 8 [[viewport]]"
     );
+}
+
+#[test]
+fn a_texture_is_a_file_or_a_table() {
+    let actor = "[[actor]]\nmesh = \"meshes/cube_textured.obj\"\n";
+    let text = "[[material]]\ntexture = \"textures/tiles.png\"\n[[material]]\n\
+                texture = { file = \"textures/tiles.png\", filter = \"nearest\", \
+                wrap = \"mirror\", perspective = false, mipmaps = false, alpha_test = 0.5 }";
+    let scene = read(&format!("{text}\n{actor}")).unwrap();
+    let [texture] = &scene.textures[..] else {
+        panic!("one texture");
+    };
+    assert_eq!((texture.width, texture.height), (64, 64));
+    assert_eq!(texture.name, "textures/tiles.png");
+    assert_eq!(scene.materials[0].texture, Some(Texturing::new(0)));
+    let other = Texturing {
+        texture: 0,
+        filter: Filter::Nearest,
+        wrap: Wrap::Mirror,
+        perspective: false,
+        mipmaps: false,
+        alpha_test: 0.5,
+    };
+    assert_eq!(scene.materials[1].texture, Some(other));
+    assert_eq!(scene.meshes[0].texture_coordinates.len(), 24);
+    // Nobody needs the coordinates of a plain one.
+    let plain = read(actor).unwrap();
+    assert!(plain.meshes[0].texture_coordinates.is_empty());
+    assert_eq!(
+        read(&format!("{text}\n{ACTOR}")).unwrap_err(),
+        "t.toml:5: actor.material: has a texture, but the mesh has no texture coordinates; \
+         expected one with them, e.g. vt of an OBJ file"
+    );
+}
+
+#[test]
+fn a_gltf_file_brings_its_own_material() {
+    let folder = std::env::temp_dir().join(format!("fixel-scene-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let picture = picture::tests::png(1, 1, &[9, 8, 7], image::ColorType::Rgb8);
+    let file = mesh::tests::samples::textured_glb(&picture, "", "");
+    std::fs::write(folder.join("a.glb"), file).unwrap();
+    let read = |text: &str| parse(&folder.join("t.toml"), text, &mut Vec::new()).unwrap();
+    let text = "[[material]]\nname = \"clay\"\n[[actor]]\nmesh = \"a.glb\"\n\
+                [[actor]]\nmesh = \"a.glb\"\nmaterial = \"clay\"\n[[actor]]\nmesh = \"a.glb\"\n";
+    let scene = read(text);
+    let materials: Vec<_> = scene.actors.iter().map(|actor| actor.material).collect();
+    assert_eq!(materials, [1, 0, 1]);
+    let own = &scene.materials[1];
+    assert_eq!((own.name.as_str(), own.diffuse_colour[0]), ("a.glb", 1.0));
+    assert_eq!(own.texture, Some(Texturing::new(0)));
+    assert_eq!(scene.textures[0].texels, [[9, 8, 7, 255]]);
+    assert_eq!(scene.meshes[0].texture_coordinates.len(), 4);
+
+    let bare = crate::load(&folder.join("a.glb")).unwrap();
+    assert_eq!(bare.materials[0].texture, Some(Texturing::new(0)));
+    assert_eq!(bare.materials[0].ambient, 0.15);
+    std::fs::remove_dir_all(&folder).unwrap();
 }

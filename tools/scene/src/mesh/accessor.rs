@@ -27,10 +27,7 @@ fn items<'a>(
     if stride < size {
         return Err(wrong("has items that overlap"));
     }
-    let data = buffers
-        .0
-        .get(view.buffer().index())
-        .and_then(|data| data.get(view.offset()..view.offset().checked_add(view.length())?))
+    let data = self::view(buffers, &view)
         .and_then(|data| data.get(accessor.offset()..))
         .filter(|data| {
             let needed = count
@@ -68,26 +65,55 @@ pub(super) fn colours(
     accessor: &Accessor<'_>,
 ) -> Result<Vec<[f32; 3]>, Refusal> {
     let wide = matches!(accessor.dimensions(), Dimensions::Vec3 | Dimensions::Vec4);
+    shares(buffers, accessor, wide, "VEC3 or VEC4")
+}
+
+/// Texture coordinates, of which the second goes down.
+pub(super) fn coordinates(
+    buffers: &Buffers,
+    accessor: &Accessor<'_>,
+) -> Result<Vec<[f32; 2]>, Refusal> {
+    let pair = accessor.dimensions() == Dimensions::Vec2;
+    shares(buffers, accessor, pair, "VEC2")
+}
+
+/// The first numbers of each item: floats, or unsigned bytes or 16-bit integers over
+/// their largest. `fits`: the item has enough of them.
+fn shares<const N: usize>(
+    buffers: &Buffers,
+    accessor: &Accessor<'_>,
+    fits: bool,
+    expected: &str,
+) -> Result<Vec<[f32; N]>, Refusal> {
     let size = match accessor.data_type() {
-        DataType::F32 if wide => 4,
-        DataType::U16 if wide => 2,
-        DataType::U8 if wide => 1,
+        DataType::F32 if fits => 4,
+        DataType::U16 if fits => 2,
+        DataType::U8 if fits => 1,
         _ => {
             return Err(Refusal::new(format!(
                 "accessors[{}]: has another type; \
-                 expected VEC3 or VEC4 of floats, unsigned bytes or shorts",
+                 expected {expected} of floats, unsigned bytes or shorts",
                 accessor.index()
             )));
         }
     };
-    let channel = |bytes: &[u8]| match *bytes {
+    let number = |bytes: &[u8]| match *bytes {
         [a, b, c, d] => f32::from_le_bytes([a, b, c, d]),
         [a, b] => f32::from(u16::from_le_bytes([a, b])) / f32::from(u16::MAX),
         [a] => f32::from(a) / f32::from(u8::MAX),
         _ => f32::NAN,
     };
-    let colour = |item: &[u8]| [0, 1, 2].map(|at| channel(&item[at * size..(at + 1) * size]));
-    Ok(items(buffers, accessor)?.map(colour).collect())
+    let numbers = |item: &[u8]| std::array::from_fn(|at| number(&item[at * size..(at + 1) * size]));
+    Ok(items(buffers, accessor)?.map(numbers).collect())
+}
+
+/// The bytes of a view.
+pub(super) fn view<'a>(buffers: &'a Buffers, view: &gltf::buffer::View<'_>) -> Option<&'a [u8]> {
+    let end = view.offset().checked_add(view.length())?;
+    buffers
+        .0
+        .get(view.buffer().index())?
+        .get(view.offset()..end)
 }
 
 /// Vertex indices, each below `vertices`.

@@ -64,11 +64,14 @@ pub(super) fn finish(name: &str, soup: Soup) -> Result<Loaded, Refusal> {
             let next = mesh.positions.len() as u32;
             let colour = coloured.then(|| soup.colours[triangle[corner] as usize]);
             let bits = |numbers: [f64; 3]| numbers.map(f64::to_bits);
-            let key = (point, bits(normal.into()), colour.map(bits));
+            let coordinates = soup.texture_coordinates.get(triangle[corner] as usize);
+            let place = coordinates.map(|place| place.map(|number| (number + 0.0).to_bits()));
+            let key = (point, bits(normal.into()), colour.map(bits), place);
             *vertices.entry(key).or_insert_with(|| {
                 mesh.positions.push(points[point as usize].into());
                 mesh.normals.push(normal.into());
                 mesh.colours.extend(colour);
+                mesh.texture_coordinates.extend(coordinates);
                 next
             })
         });
@@ -85,13 +88,44 @@ pub(super) fn finish(name: &str, soup: Soup) -> Result<Loaded, Refusal> {
     }
     Ok(Loaded {
         mesh,
-        colour: soup.colour,
+        surface: soup.surface,
         notes: soup
             .notes
             .iter()
             .map(|note| format!("{name}: {note}"))
             .collect(),
     })
+}
+
+/// Takes texture coordinates away from a mesh that needs none; vertices that now are
+/// the same become one.
+pub(crate) fn forget_texture_coordinates(mesh: &mut Mesh) {
+    if mesh.texture_coordinates.is_empty() {
+        return;
+    }
+    mesh.texture_coordinates.clear();
+    let mut kept = Vec::new();
+    let mut seen = HashMap::new();
+    let mut new_of_old = Vec::new();
+    for (index, position) in mesh.positions.iter().enumerate() {
+        let bits = |numbers: &[f64; 3]| numbers.map(f64::to_bits);
+        let colour = mesh.colours.get(index).map(bits);
+        let key = (bits(position), bits(&mesh.normals[index]), colour);
+        new_of_old.push(*seen.entry(key).or_insert_with(|| {
+            kept.push(index);
+            kept.len() as u32 - 1
+        }));
+    }
+    let keep = |list: &[[f64; 3]]| kept.iter().map(|index| list[*index]).collect();
+    mesh.positions = keep(&mesh.positions);
+    mesh.normals = keep(&mesh.normals);
+    if !mesh.colours.is_empty() {
+        mesh.colours = keep(&mesh.colours);
+    }
+    let all = mesh.triangles.as_flattened_mut().iter_mut();
+    for index in all.chain(mesh.edges.as_flattened_mut()) {
+        *index = new_of_old[*index as usize];
+    }
 }
 
 /// Each position once, and for each vertex the index of its position.

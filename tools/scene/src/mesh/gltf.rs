@@ -1,6 +1,7 @@
 //! glTF 2.0, as text with buffers or as GLB: the triangles of all meshes in
-//! the default scene, each moved by its nodes, with normals and vertex colours.
-//! Cameras, lights, skins, morph targets and textures are left out.
+//! the default scene, each moved by its nodes, with normals, vertex colours, texture
+//! coordinates, and base colours and the texture of their materials. Cameras, lights,
+//! skins, morph targets and all else of materials are left out.
 
 use std::path::Path;
 
@@ -11,7 +12,7 @@ use gltf::mesh::Mode;
 use gltf::{Document, Gltf, Node, Primitive, Semantic};
 
 use super::accessor::{self, Buffers};
-use super::{MAX_TRIANGLES, Refusal, Soup, polygon};
+use super::{MAX_TEXTURE_COORDINATE, MAX_TRIANGLES, Refusal, Soup, Surface, gltf_texture, polygon};
 use crate::description::Rgb;
 
 /// Deeper than any sensible scene, and low enough for a scan of all pairs.
@@ -31,7 +32,7 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Soup, Refusal> {
     let mut reader = Walk {
         buffers,
         soup: Soup::default(),
-        colours: Vec::new(),
+        parts: Vec::new(),
     };
     let scene = document
         .default_scene()
@@ -46,7 +47,7 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Soup, Refusal> {
             }
         }
     }
-    Ok(reader.finish())
+    reader.finish(path, &document)
 }
 
 /// The crate's own check trusts these indices (gltf-json 1.4.1, mesh.rs).
@@ -102,7 +103,7 @@ fn buffers(path: &Path, document: &Document, blob: Option<Vec<u8>>) -> Result<Bu
 }
 
 /// A `data:` URI's bytes, or those of a file beside the glTF file.
-fn uri_data(path: &Path, uri: &str) -> Result<Vec<u8>, String> {
+pub(super) fn uri_data(path: &Path, uri: &str) -> Result<Vec<u8>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
         let (_, base64) = data
             .split_once(";base64,")
@@ -120,8 +121,18 @@ fn uri_data(path: &Path, uri: &str) -> Result<Vec<u8>, String> {
 struct Walk {
     buffers: Buffers,
     soup: Soup,
-    /// Of each primitive.
-    colours: Vec<Rgb>,
+    parts: Vec<Part>,
+}
+
+/// What a primitive became.
+#[derive(Debug)]
+struct Part {
+    /// Index of the material.
+    material: Option<usize>,
+    /// Its base colour, display-encoded.
+    colour: Rgb,
+    /// Its vertices: from this one to the next part's.
+    first: usize,
 }
 
 impl Walk {
@@ -195,6 +206,7 @@ impl Walk {
             None => Vec::new(),
         };
         let first = self.soup.positions.len() as u32;
+        let set = self.material(primitive, first as usize);
         let soup = &mut self.soup;
         if !colours.is_empty() || !soup.colours.is_empty() {
             // White where no colour was given, before this primitive and in it.
@@ -202,6 +214,27 @@ impl Walk {
             let encoded = colours.iter().map(|colour| colour.map(encode));
             let all = encoded.chain(std::iter::repeat([1.0; 3]));
             soup.colours.extend(all.take(positions.len()));
+        }
+        let coordinates = match primitive.get(&Semantic::TexCoords(set)) {
+            Some(coordinates) => accessor::coordinates(&self.buffers, &coordinates)?,
+            None => Vec::new(),
+        };
+        let soup = &mut self.soup;
+        if !coordinates.is_empty() || !soup.texture_coordinates.is_empty() {
+            soup.texture_coordinates
+                .resize(soup.positions.len(), [0.0; 2]);
+            // Theirs goes down from the upper edge.
+            let up = coordinates
+                .iter()
+                .map(|[u, v]| [f64::from(*u), 1.0 - f64::from(*v)]);
+            let all = up.chain(std::iter::repeat([0.0; 2]));
+            soup.texture_coordinates.extend(all.take(positions.len()));
+            let within = |place: &[f64; 2]| place.iter().all(|c| c.abs() <= MAX_TEXTURE_COORDINATE);
+            if !soup.texture_coordinates.iter().all(within) {
+                return Err(Refusal::new(
+                    "has texture coordinates that are not within 10000",
+                ));
+            }
         }
         let place = |position: &[f64; 3]| world.transform_point3((*position).into()).to_array();
         soup.positions.extend(positions.iter().map(place));
@@ -239,30 +272,83 @@ impl Walk {
         if soup.triangles.len() > MAX_TRIANGLES {
             return Err(Refusal::too_many());
         }
-        self.material(primitive);
         Ok(())
     }
 
-    fn material(&mut self, primitive: &Primitive<'_>) {
-        let material = primitive.material().pbr_metallic_roughness();
-        let [red, green, blue, _] = material.base_color_factor();
-        self.colours.push([red, green, blue].map(encode));
-        if material.base_color_texture().is_some() {
-            self.note("textures are left out");
-        }
+    /// Notes a primitive's material; gives the set of texture coordinates that it
+    /// uses.
+    fn material(&mut self, primitive: &Primitive<'_>, first: usize) -> u32 {
+        let material = primitive.material();
+        let base = material.pbr_metallic_roughness();
+        let [red, green, blue, _] = base.base_color_factor();
+        self.parts.push(Part {
+            material: material.index(),
+            colour: [red, green, blue].map(encode),
+            first,
+        });
         if primitive.morph_targets().next().is_some() {
             self.note("morph targets are left out");
         }
+        base.base_color_texture().map_or(0, |info| info.tex_coord())
     }
 
-    fn finish(mut self) -> Soup {
-        let first = self.colours.first().copied();
-        if self.colours.iter().all(|colour| Some(*colour) == first) {
-            self.soup.colour = first;
-        } else {
-            self.note("has several base colours, which are left out");
+    /// One colour for all is the surface's, several are the vertices'.
+    fn finish(mut self, path: &Path, document: &Document) -> Result<Soup, Refusal> {
+        let Some(first) = self.parts.first() else {
+            return Ok(self.soup);
+        };
+        let mut surface = Surface {
+            colour: first.colour,
+            ..Surface::default()
+        };
+        if self.parts.iter().any(|part| part.colour != surface.colour) {
+            surface.colour = [1.0; 3];
+            self.colour_parts();
         }
-        self.soup
+        let named = |part: &Part| {
+            part.material
+                .and_then(|index| document.materials().nth(index))
+        };
+        let materials: Vec<_> = self.parts.iter().filter_map(named).collect();
+        let textures: Vec<_> = self
+            .parts
+            .iter()
+            .map(|part| gltf_texture::index(named(part)))
+            .collect();
+        surface.both_sides = materials.iter().any(|material| material.double_sided());
+        match textures.first() {
+            Some(Some(one)) if textures.iter().all(|other| other == &Some(*one)) => {
+                let material = materials.first();
+                if self.soup.texture_coordinates.is_empty() {
+                    self.note("a texture is left out, as there are no texture coordinates");
+                } else if let Some(material) = material {
+                    let (texture, notes) = gltf_texture::read(path, &self.buffers, material)?;
+                    surface.texture = texture;
+                    notes.iter().for_each(|note| self.note(note));
+                }
+            }
+            _ if textures.iter().any(Option::is_some) => {
+                self.note("has several textures, or some parts without one: all are left out");
+            }
+            _ => {}
+        }
+        if !materials.is_empty() {
+            self.soup.surface = Some(surface);
+        }
+        Ok(self.soup)
+    }
+
+    /// Multiplies the vertex colours, or makes them, by the parts' base colours.
+    fn colour_parts(&mut self) {
+        let soup = &mut self.soup;
+        soup.colours.resize(soup.positions.len(), [1.0; 3]);
+        let ends = self.parts.iter().skip(1).map(|part| part.first);
+        let ends: Vec<usize> = ends.chain([soup.positions.len()]).collect();
+        for (part, end) in self.parts.iter().zip(ends) {
+            for colour in &mut soup.colours[part.first..end] {
+                *colour = [0, 1, 2].map(|c| colour[c] * part.colour[c]);
+            }
+        }
     }
 }
 

@@ -6,19 +6,23 @@ mod accessor;
 mod crease;
 mod finish;
 mod gltf;
+mod gltf_texture;
 mod obj;
 mod ply;
 mod polygon;
 mod primitive;
 mod stl;
+mod surface;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use std::collections::HashSet;
 use std::path::Path;
 
 use crate::description::{Mesh, Rgb};
 use crate::error::Error;
+pub(crate) use finish::forget_texture_coordinates;
+pub(crate) use surface::Surface;
 
 pub(crate) use primitive::{polygon, sphere};
 
@@ -26,6 +30,8 @@ pub(crate) use primitive::{polygon, sphere};
 const MAX_TRIANGLES: usize = 4_000_000;
 /// A text file of as many triangles stays below this.
 const MAX_BYTES: u64 = 1 << 30;
+/// Texture coordinates stay within this, either side of 0.
+const MAX_TEXTURE_COORDINATE: f64 = 1e4;
 /// Coordinates stay within this, either side of 0.
 const MAX_COORDINATE: f64 = 1e9;
 
@@ -36,8 +42,8 @@ pub(crate) const EXTENSIONS: &[&str] = &["obj", "glb", "gltf", "stl", "ply"];
 #[derive(Debug)]
 pub(crate) struct Loaded {
     pub mesh: Mesh,
-    /// Display-encoded, if all of the file has one colour.
-    pub colour: Option<Rgb>,
+    /// What the file says of its surface, if anything.
+    pub surface: Option<Surface>,
     /// What was left out, one line each.
     pub notes: Vec<String>,
 }
@@ -51,10 +57,12 @@ struct Soup {
     normals: Vec<Option<[f64; 3]>>,
     /// As many as positions, or none; display-encoded.
     colours: Vec<Rgb>,
+    /// As many as positions, or none.
+    texture_coordinates: Vec<[f64; 2]>,
     triangles: Vec<[u32; 3]>,
     /// Sides of triangles that are inside a polygon, the lower index first.
     diagonals: HashSet<[u32; 2]>,
-    colour: Option<Rgb>,
+    surface: Option<Surface>,
     notes: Vec<String>,
 }
 

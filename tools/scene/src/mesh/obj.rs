@@ -1,6 +1,6 @@
 //! Wavefront OBJ: positions, with the red, green and blue in 0..=1 that some
-//! programs write after them (display-encoded), normals and faces; curves, points
-//! and lines are left out, materials with a note.
+//! programs write after them (display-encoded), texture coordinates, normals and
+//! faces; curves, points and lines are left out, materials with a note.
 //!
 //! Own code, not the `tobj` crate, because that one names no lines, panics
 //! on an `f` without vertices, and mixes up normals when only some faces
@@ -9,10 +9,10 @@
 use std::collections::HashMap;
 
 use super::polygon::{self, Polygons};
-use super::{MAX_TRIANGLES, Refusal, Soup};
+use super::{MAX_TEXTURE_COORDINATE, MAX_TRIANGLES, Refusal, Soup};
 use crate::description::Rgb;
 
-const FACE: &str = "expected e.g. f 1 2 3 or f 1//1 2//2 3//3";
+const FACE: &str = "expected e.g. f 1 2 3 or f 1/1 2/2 3/3 or f 1//1 2//2 3//3";
 
 pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
     let text = String::from_utf8_lossy(bytes);
@@ -22,6 +22,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
     let mut positions = Vec::new();
     let mut normals = Vec::new();
     let mut colours: Vec<Option<Rgb>> = Vec::new();
+    let mut coordinates = Vec::new();
     for (line, words) in statements(&text) {
         match words.first().copied() {
             Some("v") => {
@@ -29,6 +30,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
                 colours.push(colour(line, &words)?);
             }
             Some("vn") => normals.push(numbers(line, "vn", &words)?),
+            Some("vt") => coordinates.push(texture_coordinates(line, &words)?),
             Some("mtllib") if soup.notes.is_empty() => {
                 soup.notes
                     .push("materials of the OBJ file are left out".to_owned());
@@ -38,30 +40,42 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
     }
 
     let coloured = colours.iter().any(Option::is_some);
-    let mut vertices: HashMap<(usize, Option<usize>), u32> = HashMap::new();
+    let mut vertices: HashMap<(usize, Option<usize>, Option<usize>), u32> = HashMap::new();
     let mut polygons = Polygons::default();
-    let (mut positions_so_far, mut normals_so_far) = (0, 0);
+    let (mut positions_so_far, mut coordinates_so_far, mut normals_so_far) = (0, 0, 0);
     for (line, words) in statements(&text) {
         match words.first().copied() {
             Some("v") => positions_so_far += 1,
+            Some("vt") => coordinates_so_far += 1,
             Some("vn") => normals_so_far += 1,
             Some("f") => {
                 let mut corners = Vec::with_capacity(words.len() - 1);
                 for word in &words[1..] {
                     let mut parts = word.split('/');
                     let position = parts.next().unwrap_or_default();
-                    let normal = parts.nth(1).filter(|part| !part.is_empty());
+                    let place = parts.next().filter(|part| !part.is_empty());
+                    let normal = parts.next().filter(|part| !part.is_empty());
                     let position =
                         index(line, "vertex", position, positions_so_far, positions.len())?;
+                    let place = place
+                        .map(|place| {
+                            let count = coordinates.len();
+                            index(line, "texture", place, coordinates_so_far, count)
+                        })
+                        .transpose()?;
                     let normal = normal
                         .map(|normal| index(line, "normal", normal, normals_so_far, normals.len()))
                         .transpose()?;
                     let next = soup.positions.len() as u32;
-                    let vertex = *vertices.entry((position, normal)).or_insert(next);
+                    let vertex = *vertices.entry((position, place, normal)).or_insert(next);
                     if vertex == next {
                         soup.positions.push(positions[position]);
                         if coloured {
                             soup.colours.push(colours[position].unwrap_or([1.0; 3]));
+                        }
+                        if !coordinates.is_empty() {
+                            let place = place.map_or([0.0; 2], |place| coordinates[place]);
+                            soup.texture_coordinates.push(place);
                         }
                         soup.normals.push(normal.map(|normal| normals[normal]));
                     }
@@ -83,6 +97,22 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
         }
     }
     Ok(soup)
+}
+
+/// The first two numbers of a `vt`; a second that is missing is 0.
+fn texture_coordinates(line: usize, words: &[&str]) -> Result<[f64; 2], Refusal> {
+    let number = |word: &&str| {
+        let number = word.parse::<f64>().ok();
+        number.filter(|number| number.abs() <= MAX_TEXTURE_COORDINATE)
+    };
+    let v = words.get(2).map_or(Some(0.0), number);
+    match (words.get(1).and_then(number), v) {
+        (Some(u), Some(v)) => Ok([u, v]),
+        _ => Err(Refusal::at(
+            line,
+            "vt: is not two numbers within 10000; expected e.g. vt 0.5 1",
+        )),
+    }
 }
 
 /// Statements with the line that each starts on: words without comments, a

@@ -1,13 +1,13 @@
 //! PLY, ASCII and binary of both byte orders: vertices with x, y, z and
 //! nx, ny, nz and red, green, blue (display-encoded; integers over their type's
-//! largest, floats in 0..=1), faces as polygons, and triangle strips. All else
+//! largest, floats in 0..=1) and s, t or u, v, faces as polygons, and triangle strips. All else
 //! is left out.
 
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{Encoding, Property, PropertyAccess, PropertyAccessResult};
 
 use super::polygon::{self, Polygons};
-use super::{MAX_TRIANGLES, Refusal, Soup};
+use super::{MAX_TEXTURE_COORDINATE, MAX_TRIANGLES, Refusal, Soup};
 
 /// One vertex, face or strip: the properties that matter of any of them.
 #[derive(Debug, Default)]
@@ -15,6 +15,7 @@ struct Item {
     position: [Option<f64>; 3],
     normal: [Option<f64>; 3],
     colour: [Option<f64>; 3],
+    coordinates: [Option<f64>; 2],
     indices: Option<Vec<i64>>,
 }
 
@@ -31,6 +32,8 @@ impl PropertyAccess for Item {
             "nx" => &mut self.normal[0],
             "ny" => &mut self.normal[1],
             "nz" => &mut self.normal[2],
+            "s" | "u" | "texture_u" => &mut self.coordinates[0],
+            "t" | "v" | "texture_v" => &mut self.coordinates[1],
             "vertex_indices" | "vertex_index" => {
                 self.indices = integers(&property);
                 return match self.indices {
@@ -174,6 +177,12 @@ fn push_vertex(soup: &mut Soup, item: &Item) -> Result<(), String> {
         [Some(x), Some(y), Some(z)] => Some([x, y, z]),
         _ => None,
     });
+    if let [Some(u), Some(v)] = item.coordinates {
+        if !(u.abs() <= MAX_TEXTURE_COORDINATE && v.abs() <= MAX_TEXTURE_COORDINATE) {
+            return Err("has texture coordinates that are not within 10000".to_owned());
+        }
+        soup.texture_coordinates.push([u, v]);
+    }
     match item.colour {
         [Some(red), Some(green), Some(blue)] => {
             let colour = [red, green, blue];
@@ -191,10 +200,14 @@ fn push_vertex(soup: &mut Soup, item: &Item) -> Result<(), String> {
         }
         _ => {}
     }
-    if soup.colours.is_empty() || soup.colours.len() == soup.positions.len() {
+    let vertices = soup.positions.len();
+    let none_or_all = |count: usize| count == 0 || count == vertices;
+    if none_or_all(soup.colours.len()) && none_or_all(soup.texture_coordinates.len()) {
         Ok(())
     } else {
-        Err("has a colour where others have none, or the other way round".to_owned())
+        let what = "has a colour or texture coordinates where others have none, \
+                    or the other way round";
+        Err(what.to_owned())
     }
 }
 

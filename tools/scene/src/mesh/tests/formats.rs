@@ -108,8 +108,8 @@ fn gltf_nodes_move_their_meshes() {
 
 #[test]
 fn a_gltf_base_colour_is_display_encoded() {
-    let colour = load("a.glb", &samples::glb("", INDICES)).unwrap().colour;
-    let [red, green, blue] = colour.unwrap();
+    let colour = load("a.glb", &samples::glb("", INDICES)).unwrap().surface;
+    let [red, green, blue] = colour.unwrap().colour;
     assert_eq!([red, green], [1.0, 0.0]);
     assert!((blue - 0.735_356_9).abs() < 1e-6);
 }
@@ -118,7 +118,7 @@ fn a_gltf_base_colour_is_display_encoded() {
 fn messages_say_where() {
     let obj = |text: &str| refused("a.obj", text.as_bytes());
     let three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    let face = "expected e.g. f 1 2 3 or f 1//1 2//2 3//3";
+    let face = "expected e.g. f 1 2 3 or f 1/1 2/2 3/3 or f 1//1 2//2 3//3";
     assert_eq!(
         obj("v 0 0\n"),
         "a.obj:1: v: has 2 numbers where 3 belong; expected e.g. v 0 0.5 1"

@@ -5,7 +5,8 @@ mod damage;
 mod edges;
 mod formats;
 mod normals;
-mod samples;
+pub(crate) mod samples;
+mod textures;
 
 use std::path::Path;
 

@@ -173,6 +173,43 @@ pub(super) fn coloured_glb(kind: &str, data: &[u8]) -> Vec<u8> {
     glb_of(json, [&gltf_data(), data].concat())
 }
 
+/// The square as GLB with texture coordinates of 2 bytes a corner, a texture of the
+/// given file and `more` of the material and of the sampler.
+pub(crate) fn textured_glb(image: &[u8], material: &str, sampler: &str) -> Vec<u8> {
+    let coordinates: [u8; 8] = [0, 255, 255, 255, 255, 0, 0, 51];
+    let image_at = 108 + coordinates.len();
+    let json = gltf_json("", "", INDICES)
+        .replace("\"NORMAL\": 2", "\"NORMAL\": 2, \"TEXCOORD_0\": 3")
+        .replace(
+            "\"baseColorFactor\"",
+            "\"baseColorTexture\": {\"index\": 0}, \"baseColorFactor\"",
+        )
+        .replace("0.5, 1]}", &format!("0.5, 1]}} {material}"))
+        .replacen(
+            "],\n\"bufferViews\"",
+            ", {\"bufferView\": 3, \"componentType\": 5121, \"normalized\": true, \
+             \"type\": \"VEC2\", \"count\": 4}],\n\"bufferViews\"",
+            1,
+        )
+        .replacen(
+            "],\n\"buffers\"",
+            &format!(
+                ", {{\"buffer\": 0, \"byteOffset\": 108, \"byteLength\": 8}}, \
+                 {{\"buffer\": 0, \"byteOffset\": {image_at}, \"byteLength\": {}}}],\n\
+                 \"textures\": [{{\"source\": 0, \"sampler\": 0}}],\n\
+                 \"samplers\": [{{{sampler}}}],\n\
+                 \"images\": [{{\"bufferView\": 4, \"mimeType\": \"image/png\"}}],\n\"buffers\"",
+                image.len()
+            ),
+            1,
+        )
+        .replace(
+            "\"byteLength\": 108",
+            &format!("\"byteLength\": {}", image_at + image.len()),
+        );
+    glb_of(json, [&gltf_data(), &coordinates[..], image].concat())
+}
+
 /// All of the above by file name.
 pub(super) fn all() -> Vec<(&'static str, Vec<u8>)> {
     let mirrored = r#", "scale": [-1, 1, 1]"#;
