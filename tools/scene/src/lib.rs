@@ -18,7 +18,7 @@ use std::path::Path;
 pub use description::*;
 pub use error::Error;
 pub use look::*;
-pub use motion::Reach;
+pub use motion::{Moment, Reach};
 pub use texture::*;
 
 /// Reads a scene file (`.toml`), or a bare mesh (`.obj`, `.glb`, `.gltf`,

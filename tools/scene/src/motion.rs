@@ -209,3 +209,107 @@ impl Reach {
         }
     }
 }
+
+/// Where everything is at one moment of the animation.
+#[derive(Clone, Debug)]
+pub struct Moment {
+    /// For each actor, the columns of the matrix that takes its mesh to the world.
+    pub actors: Vec<[[f64; 4]; 4]>,
+    /// [`Scene::camera`], moved.
+    pub camera: Camera,
+}
+
+impl Moment {
+    /// Moments of a scene, evenly spread over its animation, `most` of them if
+    /// anything moves and the first one if not.
+    pub fn some(scene: &Scene, most: usize) -> Vec<Self> {
+        let animation = &scene.animation;
+        let frames = frames(animation, FRAMES[0]);
+        let moves = animation.turntable.is_some() || frames.len() > 1;
+        let count = if moves { most.max(1) } else { 1 };
+        let moment = |number: usize| {
+            let turns = animation.turntable.map_or(0.0, |_| 360.0);
+            let at = Instant {
+                turn: turns * number as f64 / count as f64,
+                frame: frames[number * frames.len() / count],
+            };
+            Self::new(scene, &at)
+        };
+        (0..count).map(moment).collect()
+    }
+
+    fn new(scene: &Scene, at: &Instant) -> Self {
+        let place = |actor, point| place(&scene.actors, &scene.animation, at, actor, point);
+        let matrix = |actor| {
+            let origin = place(actor, DVec3::ZERO);
+            let axis = |axis| (place(actor, axis) - origin).extend(0.0).to_array();
+            let [x, y, z] = DVec3::AXES.map(axis);
+            [x, y, z, origin.extend(1.0).to_array()]
+        };
+        let tracks = tracks(&scene.animation, Target::Camera);
+        Self {
+            actors: (0..scene.actors.len()).map(matrix).collect(),
+            camera: tracks.fold(scene.camera, |camera, track| {
+                moved(camera, track.quantity, value(track, at.frame))
+            }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cube() -> Scene {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/cube.toml");
+        crate::load(path.as_ref()).unwrap()
+    }
+
+    #[test]
+    fn a_point_is_turned_about_y_then_x_then_z() {
+        let mut scene = cube();
+        let actor = &mut scene.actors[0];
+        actor.origin = [1.0, 0.0, 0.0];
+        actor.position = [0.0, 10.0, 0.0];
+        actor.scale = [1.0, 2.0, 3.0];
+        actor.orientation = [90.0, 60.0, 90.0];
+        scene.animation.turntable = Some(100);
+        // From the origin (0, 1, 1): scaled (0, 2, 3); about y by 60 and 30 degrees
+        // (3, 2, 0); about x (3, 0, 2); about z (0, 3, 2).
+        let moments = Moment::some(&scene, 12);
+        assert_eq!(moments.len(), 12);
+        let matrix = DMat4::from_cols_array_2d(&moments[1].actors[0]);
+        let found = matrix.transform_point3(DVec3::ONE);
+        assert!(
+            found.distance(DVec3::new(1.0, 13.0, 2.0)) < 1e-12,
+            "{found}"
+        );
+        scene.animation.turntable = None;
+        assert_eq!(Moment::some(&scene, 12).len(), 1);
+    }
+
+    #[test]
+    fn a_moment_has_the_camera_and_the_frame_of_its_time() {
+        let mut scene = cube();
+        let key = |frame, x: f64| crate::Key {
+            frame,
+            value: [x, 0.0, 0.0],
+        };
+        let track = |target, quantity| Track {
+            target,
+            quantity,
+            keys: vec![key(0, 0.0), key(8, 16.0)],
+        };
+        scene.animation.frames = Some(8);
+        scene.animation.tracks = vec![
+            track(Target::Camera, Quantity::Position),
+            track(Target::Actor(0), Quantity::Position),
+        ];
+        for (number, moment) in Moment::some(&scene, 4).iter().enumerate() {
+            // Nine frames are looked at, the last key among them.
+            let x = 2.0 * (number * 9 / 4) as f64;
+            assert_eq!(moment.camera.position, [x, 0.0, 0.0]);
+            assert_eq!(moment.actors[0][3][0], x);
+        }
+    }
+}

@@ -18,6 +18,7 @@ mod surface;
 #[cfg(test)]
 mod tests;
 mod way;
+mod window;
 
 use fixel_scene::{Background, Fog, Light, LightKind, Material, Rgb, Scene, Viewport};
 

@@ -316,3 +316,21 @@ fn texels_have_their_shades() {
         }
     }
 }
+
+#[test]
+fn lines_have_their_colours_too() {
+    let mut scene = scene();
+    let green = [0.0, 1.0, 0.0];
+    scene.materials.push(Material {
+        diffuse_colour: green,
+        diffuse: 0.0,
+        emission: 1.0,
+        ..Material::default()
+    });
+    let mut lines = scene.actors[0].clone();
+    lines.material = 1;
+    lines.look.representation = fixel_scene::Representation::Wireframe;
+    scene.actors.push(lines);
+    assert!(surface::samples(&scene).iter().any(|s| s.colour == green));
+    assert!(tables(&scene, &[]).palette.contains(&[0, 255, 0]));
+}
