@@ -13,6 +13,12 @@ pub fn run(args: &args::Bake) -> Result<()> {
                 args.scene.display()
             );
         }
+        if !input.scene.palette.fixed.is_empty() {
+            bail!(
+                "{}: --colours does not go with palette.file, which has all entries",
+                args.scene.display()
+            );
+        }
         input.scene.palette.colours = colours;
     }
     let options = baked::Options {

@@ -90,6 +90,12 @@ fn summary(report: &Report) -> String {
         report.rgb_psnr_true_db,
         report.index_equal_percent,
     );
+    if report.texel_max > 0.0 {
+        text += &format!(
+            "texture     max {:.3}, mean {:.4} texels off\n",
+            report.texel_max, report.texel_mean
+        );
+    }
     for m in &report.mismatches {
         text += &format!(
             "  {:?} at {}, {}: truth {:?}, frame {:?}\n",
@@ -113,6 +119,7 @@ mod tests {
             "coverage_mismatch_percent": 6.25, "depth_within_1_percent": 90.0,
             "level_within_2_percent": 80.0, "rgb_psnr_true_covered_db": 47.0,
             "depth_max_at": [3, 2], "level_max_at": null,
+            "texel_max": 0.5, "texel_mean": 0.125,
             "mismatches": [{
                 "x": 5, "y": 1, "kind": "extra", "truth": null, "frame": [0, 7],
                 "truth_depth_lsb": 0.0, "frame_depth_lsb": 99
@@ -151,6 +158,7 @@ mod tests {
             "max 3.50, mean 0.500, 80.00 % within 2",
             "999.00 dB, 48.50 dB",
             "93.75 % equal",
+            "max 0.500, mean 0.1250 texels",
             "Extra at 5, 1: truth None, frame Some([0, 7])",
         ] {
             assert!(text.contains(wanted), "{wanted} in {text}");

@@ -600,3 +600,21 @@ fn a_gltf_file_brings_its_own_material() {
     assert_eq!(bare.materials[0].ambient, 0.15);
     std::fs::remove_dir_all(&folder).unwrap();
 }
+
+#[test]
+fn the_examples_on_the_format_are_scenes() {
+    let page = include_str!("../../../../docs/scene-format.md");
+    let blocks: Vec<_> = page.split("```toml\n").skip(1).collect();
+    assert!(blocks.len() >= 3);
+    for block in blocks {
+        let block = block.split("```").next().unwrap();
+        let table = if block.starts_with('[') {
+            ""
+        } else {
+            "[[material]]\n"
+        };
+        let actor = "[[actor]]\nmesh = \"meshes/cube_textured.obj\"\n";
+        let scene = read(&format!("{table}{block}\n{actor}"));
+        assert!(scene.is_ok(), "{block}: {scene:?}");
+    }
+}

@@ -315,6 +315,10 @@ impl Walk {
             .iter()
             .map(|part| gltf_texture::index(named(part)))
             .collect();
+        let mut extensions = document.extensions_used();
+        if extensions.any(|extension| extension == "KHR_texture_transform") {
+            self.note("texture transforms are left out");
+        }
         surface.both_sides = materials.iter().any(|material| material.double_sided());
         match textures.first() {
             Some(Some(one)) if textures.iter().all(|other| other == &Some(*one)) => {
