@@ -2,12 +2,14 @@
 //! pixels. Used by `render`, implemented by applications.
 
 mod draw_target;
+mod draw_target_rows;
 mod resolve;
 
 use crate::frame::BandRows;
 use crate::palette::Palette;
 
 pub use draw_target::DrawTargetDisplay;
+pub use draw_target_rows::DrawTargetRows;
 pub use resolve::{Resolve, Rgb565Rows};
 
 /// A panel, or anything that takes rows from the top of the screen to its

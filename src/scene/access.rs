@@ -7,12 +7,12 @@ use super::{
 };
 
 impl<'a> Scene<'a> {
-    /// Screen width in pixels.
+    /// Width of the picture in pixels; a band needs [`Scene::frame_width`].
     pub fn width(&self) -> u16 {
         self.header.width
     }
 
-    /// Screen height in pixels.
+    /// Height of the picture in pixels; a frame has [`Scene::frame_height`] rows.
     pub fn height(&self) -> u16 {
         self.header.height
     }

@@ -123,3 +123,45 @@ fn a_pose_may_move_the_camera_of_one_viewport() {
     let placed = |number| core.place_viewport(number, &moved, 320, 240).camera;
     assert_eq!((placed(0), placed(1)), (pose.camera, up));
 }
+
+#[test]
+fn eyes_have_a_half_each_and_share_what_is_at_the_focal_point() {
+    let path = root().join("scenes/stereo_side_by_side.toml");
+    let mut scene = fixel_scene::load(&path).unwrap_or_else(|e| panic!("{e}"));
+    // One column is left over between them, and shows the background.
+    scene.display.width = 321;
+    scene.display.background = Background::Solid([0.1, 0.2, 0.3]);
+    let planes = drawn(&scene, None);
+    let column = |x: usize| planes.depth.iter().skip(x).step_by(321);
+    assert!(column(160).all(|depth| *depth == 0));
+    let background = planes.index[160];
+    assert!(
+        planes
+            .index
+            .iter()
+            .skip(160)
+            .step_by(321)
+            .all(|i| *i == background)
+    );
+    // Of an actor, its middle column in each half, in pixels from the half's left.
+    let baked = fixel_bake::bake(&scene).expect("a stereo scene");
+    let core = baked.scene().expect("baked a moment ago");
+    let (frame, _) = fixel_host::frame(&baked, &core, &Options::of(&core));
+    let middle = |actor: u16, from: usize| {
+        let seen = frame
+            .actor
+            .iter()
+            .enumerate()
+            .filter(|(_, a)| **a == actor + 1);
+        let columns: Vec<usize> = seen.map(|(i, _)| i % 321).collect();
+        let own = columns.iter().filter(|x| (from..from + 160).contains(*x));
+        let (sum, count) = own.fold((0, 0), |(sum, count), x| (sum + x - from, count + 1));
+        sum as f64 / f64::from(count)
+    };
+    let parallax = |actor| middle(actor, 161) - middle(actor, 0);
+    let [near, at, far] = [0, 1, 2].map(parallax);
+    assert!(
+        near < -3.0 && at.abs() < 1.5 && far > 3.0,
+        "{near} {at} {far}"
+    );
+}
