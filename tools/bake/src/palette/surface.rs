@@ -20,6 +20,8 @@ const DEEPEST: u32 = 24;
 const LINES: f64 = 1.0 / 64.0;
 /// Vertices of lines and points that are looked at, at most.
 const VERTICES: usize = 256;
+/// Vertices that are looked at for the most light, at most.
+const BRIGHTEST: usize = 1024;
 /// Moments of an animation that are looked at.
 const MOMENTS: usize = 8;
 
@@ -48,6 +50,32 @@ pub(super) fn samples(scene: &Scene) -> Vec<Sample> {
         sample.weight /= sum.max(f64::MIN_POSITIVE);
     }
     samples
+}
+
+/// The most light, 1 being full, that a material gets where a camera may see it: as if
+/// its colours were white, of the brightest channel.
+pub(super) fn brightest(scene: &Scene, material: usize) -> f64 {
+    let white = Material {
+        ambient_colour: [1.0; 3],
+        diffuse_colour: [1.0; 3],
+        specular_colour: [1.0; 3],
+        ..scene.materials[material].clone()
+    };
+    let mut most = 0.0;
+    for moment in Moment::some(scene, MOMENTS) {
+        for (window, _) in windows(scene, &moment.camera) {
+            for (actor, matrix) in scene.actors.iter().zip(&moment.actors) {
+                if actor.material != material {
+                    continue;
+                }
+                let matrix = DMat4::from_cols_array_2d(matrix);
+                let mut surface = Surface::new(scene, actor, matrix, window);
+                surface.material = &white;
+                most = surface.brightest().max(most);
+            }
+        }
+    }
+    most
 }
 
 /// What the cameras see, of each viewport or of the whole picture, and how much of the
@@ -151,6 +179,30 @@ impl<'a> Surface<'a> {
                 weight: LINES * share / count as f64,
             });
         }
+    }
+
+    /// The most light at a vertex on this side.
+    fn brightest(&self) -> f64 {
+        let step = self.places.len().div_ceil(BRIGHTEST).max(1);
+        let light = |index: usize| {
+            let point = self.point(index);
+            let eye = self.window.towards_eye(point.place);
+            let side = point.normal.dot(eye);
+            let away = match self.material.cull {
+                Cull::Back => side < 0.0,
+                Cull::Front => side > 0.0,
+                Cull::None => false,
+            };
+            if away {
+                return 0.0;
+            }
+            let lit = lit(self.scene, self.material, &point, eye);
+            (lit.own + lit.gloss).max_element()
+        };
+        (0..self.places.len())
+            .step_by(step)
+            .map(light)
+            .fold(0.0, f64::max)
     }
 
     /// The place where a face's corners have these weights.

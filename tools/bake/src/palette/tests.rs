@@ -78,6 +78,18 @@ fn what_lies_on_one_line_goes_by_level() {
         scene.materials[0].diffuse_colour = red;
     };
     assert_eq!(way(shiny), Way::Colour);
+    // Two lights of a half, as bright together as one from between them.
+    let brown = |scene: &mut Scene| scene.materials[0].diffuse_colour = [0.5, 0.3, 0.0];
+    assert_eq!(way(brown), Way::Level);
+    let bright = |scene: &mut Scene| scene.lights[0].intensity = 2.5;
+    assert_eq!(way(bright), Way::Level);
+    assert_eq!(
+        way(|scene| {
+            brown(scene);
+            bright(scene);
+        }),
+        Way::Colour
+    );
     let paint = |scene: &mut Scene| {
         scene.meshes[0].colours = vec![red; scene.meshes[0].positions.len()];
     };

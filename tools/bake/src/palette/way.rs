@@ -2,6 +2,11 @@
 
 use fixel_scene::{Light, Material, Rgb, Scene};
 
+use super::surface::brightest;
+
+/// As much light is taken for full: 4 of 255 more.
+const FULL: f64 = 1.0 + 4.0 / 255.0;
+
 /// From light to a palette index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Way {
@@ -18,7 +23,10 @@ impl Way {
     /// - every light but ambient ones is grey, or gives nothing;
     /// - it has no highlights, or is grey with grey ones: a highlight on any other
     ///   colour goes on to white where a channel is full and the line ends;
-    /// - no actor wears it on a mesh with vertex colours.
+    /// - no actor wears it on a mesh with vertex colours;
+    /// - it gets no more light than a level can say, where a camera may see it, or
+    ///   each channel of its diffuse colour is full or nothing: more than full light
+    ///   goes on to brighten the channels that are not full, and the line bends.
     ///
     /// With a texture, of which each texel is a line of its own, it goes by level if
     /// moreover these lines start at black:
@@ -43,7 +51,12 @@ impl Way {
         let on_a_line = scene.lights.iter().all(is_grey)
             && has_no_highlight_of_its_own(surface)
             && !scene.actors.iter().any(|actor| tinted(&actor))
-            && (surface.texture.is_none() || lines_from_black());
+            && (surface.texture.is_none() || lines_from_black())
+            && (surface
+                .diffuse_colour
+                .iter()
+                .all(|c| *c == 0.0 || *c == 1.0)
+                || brightest(scene, material) <= FULL);
         if on_a_line { Self::Level } else { Self::Colour }
     }
 }
