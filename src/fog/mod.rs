@@ -1,5 +1,5 @@
 //! Fog over finished pixels. In: the depths and indices of a
-//! [`Target`](crate::frame::Target), a view, and the scene's table of fogged
+//! [`Target`], a view, and the scene's table of fogged
 //! indices. Out: the indices, fogged. Used by `render` between a viewport's opaque
 //! triangles and what lies over it.
 //!
