@@ -165,3 +165,32 @@ fn eyes_have_a_half_each_and_share_what_is_at_the_focal_point() {
         "{near} {at} {far}"
     );
 }
+
+#[test]
+fn a_blob_says_what_viewports_eyes_and_samples_it_was_baked_from() {
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-6;
+    for (name, viewports) in [
+        ("viewports", 4),
+        ("fog_exponential", 2),
+        ("stereo_side_by_side", 0),
+        ("stereo_anaglyph", 0),
+        ("antialiased", 0),
+    ] {
+        let (scene, baked) = fixel_tests::load(&root().join(format!("scenes/{name}.toml")));
+        let back = fixel_bake::unbake(&baked.scene().expect("baked a moment ago"));
+        assert_eq!(back.viewports.len(), viewports, "{name}");
+        for (back, viewport) in back.viewports.iter().zip(&scene.viewports) {
+            let sides = back.rectangle.iter().zip(viewport.rectangle);
+            assert!(sides.into_iter().all(|(a, b)| near(*a, b)), "{name}");
+            assert_eq!(back.aspect, viewport.aspect, "{name}");
+            assert_eq!(back.camera.is_some(), viewport.camera.is_some(), "{name}");
+            let background = back.background.is_some();
+            assert_eq!(background, viewport.background.is_some(), "{name}");
+        }
+        let (back, display) = (back.display, scene.display);
+        assert_eq!(back.samples, display.samples, "{name}");
+        assert_eq!(back.stereo.joined(), display.stereo.joined(), "{name}");
+        let angles = [back.stereo.eye_angle(), display.stereo.eye_angle()];
+        assert!(near(angles[0], angles[1]), "{name}");
+    }
+}

@@ -25,9 +25,11 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
     let colours = |index: u8| colour(blob, index);
     let rows = blob.height();
     let ends = [0, rows.saturating_sub(1)].map(|y| colours(blob.background(y, rows)));
-    // One that says nothing is one that the blob does not have.
-    let said = |number: &u16| blob.viewport(*number) != core_scene::Viewport::WHOLE;
-    let viewports = (0..blob.viewport_count()).filter(said);
+    // A single one that says nothing is one that the blob does not have.
+    let viewports = match blob.viewports_an_eye() {
+        1 if blob.viewport(0) == core_scene::Viewport::WHOLE => 0..0,
+        count => 0..count,
+    };
     Scene {
         display: Display {
             width: header.width.into(),
