@@ -127,6 +127,18 @@ fn lints(tally: &mut Tally) {
     ];
     let result = child::visibly(&mut cargo(&arguments));
     tally.check("lints of the workspace", result);
+    // What firmware leaves out must not be missed by what it keeps.
+    let arguments = [
+        "clippy",
+        "--package",
+        "fixel",
+        "--no-default-features",
+        "--",
+        "-D",
+        "warnings",
+    ];
+    let result = child::visibly(&mut cargo(&arguments));
+    tally.check("lints of the core without features", result);
     for folder in HOST_CRATES {
         let mut command = cargo_in(folder, &["clippy", "--quiet", "--all-targets"]);
         command.args(["--", "-D", "warnings"]);
