@@ -52,8 +52,8 @@ where
     type Error = D::Error;
 
     fn begin(&mut self, palette: &Palette<'_>) -> Result<(), D::Error> {
-        for (slot, [r, g, b]) in self.colours.iter_mut().zip(palette.colours) {
-            *slot = Some(Rgb888::new(*r, *g, *b).into());
+        for (slot, [r, g, b]) in self.colours.iter_mut().zip(palette.entries()) {
+            *slot = Some(Rgb888::new(r, g, b).into());
         }
         Ok(())
     }

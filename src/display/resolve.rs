@@ -95,7 +95,7 @@ impl<R: Rgb565Rows> Display for Resolve<'_, R> {
         let [across, down] = self.output.samples.map(|n| u32::from(n.max(1)));
         // Four of the largest fill 10 bits but for 3.
         let each = 4 / (across * down).clamp(1, 4);
-        for (entry, colour) in self.table.iter_mut().zip(palette.colours) {
+        for (entry, colour) in self.table.iter_mut().zip(palette.entries()) {
             let [r, g, b] = colour.map(|c| u32::from(c) * each);
             *entry = r << 20 | g << 10 | b;
         }

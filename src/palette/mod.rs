@@ -8,17 +8,63 @@ pub use rgb565::{Rgb565Table, rgb565, rgb565_of_sum};
 /// Red, green and blue of up to 256 entries, 8 bits each.
 #[derive(Clone, Copy, Debug)]
 pub struct Palette<'a> {
-    /// The entries; an index past the end is black.
+    /// The entries as the scene has them; an index past the end is black.
     pub colours: &'a [[u8; 3]],
+    /// What of them goes round.
+    pub cycle: Cycle,
 }
 
-impl Palette<'_> {
+/// Palette entries that take each other's place, so that a picture moves without
+/// being drawn again.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cycle {
+    /// The first entry.
+    pub first: u16,
+    /// How many there are.
+    pub count: u16,
+    /// An entry looks as the one so many further on, the last one being followed by
+    /// the first; any number.
+    pub shift: u16,
+}
+
+impl Cycle {
+    /// The entry whose colour an entry has now.
+    fn source(&self, index: u8) -> usize {
+        let (index, first) = (usize::from(index), usize::from(self.first));
+        let count = usize::from(self.count);
+        match index.checked_sub(first) {
+            Some(place) if place < count => {
+                let moved = place + usize::from(self.shift);
+                first + moved.checked_rem(count).unwrap_or(0)
+            }
+            _ => index,
+        }
+    }
+}
+
+impl<'a> Palette<'a> {
+    /// Entries that stay.
+    pub const fn new(colours: &'a [[u8; 3]]) -> Self {
+        let cycle = Cycle {
+            first: 0,
+            count: 0,
+            shift: 0,
+        };
+        Self { colours, cycle }
+    }
+
     /// The colour of an index.
     pub fn rgb888(&self, index: u8) -> [u8; 3] {
         self.colours
-            .get(usize::from(index))
+            .get(self.cycle.source(index))
             .copied()
             .unwrap_or_default()
+    }
+
+    /// The colours of all indices up to the last one in use.
+    pub fn entries(&self) -> impl Iterator<Item = [u8; 3]> + use<'_> {
+        let all = 0..=u8::MAX;
+        all.take(self.colours.len()).map(|index| self.rgb888(index))
     }
 }
 

@@ -45,8 +45,8 @@ impl Rgb565Table {
 
     /// Takes over a palette.
     pub fn set(&mut self, palette: &Palette<'_>) {
-        for (entry, colour) in self.table.iter_mut().zip(palette.colours) {
-            *entry = rgb565(*colour).to_be();
+        for (entry, colour) in self.table.iter_mut().zip(palette.entries()) {
+            *entry = rgb565(colour).to_be();
         }
     }
 

@@ -1,6 +1,6 @@
 use embedded_graphics_core::pixelcolor::{IntoStorage, Rgb565, Rgb888};
 
-use super::{Palette, Rgb565Table, rgb565};
+use super::{Cycle, Palette, Rgb565Table, rgb565};
 
 #[test]
 fn rgb565_rounds_as_embedded_graphics_does() {
@@ -16,13 +16,36 @@ fn rgb565_rounds_as_embedded_graphics_does() {
 #[test]
 fn pixels_leave_high_byte_first() {
     let mut table = Rgb565Table::new();
-    table.set(&Palette {
-        colours: &[[0, 0, 0], [255, 0, 0]],
-    });
+    table.set(&Palette::new(&[[0, 0, 0], [255, 0, 0]]));
     let mut pixels = [0; 3];
     table.resolve(&[1, 0, 1], &mut pixels);
     assert_eq!(
         bytemuck::cast_slice::<u16, u8>(&pixels),
         [0xf8, 0, 0, 0, 0xf8, 0]
     );
+}
+
+#[test]
+fn entries_go_round_within_their_range() {
+    let colours: [[u8; 3]; 6] = core::array::from_fn(|i| [i as u8; 3]);
+    let shown = |first, count, shift| {
+        let cycle = Cycle {
+            first,
+            count,
+            shift,
+        };
+        let palette = Palette {
+            colours: &colours,
+            cycle,
+        };
+        let mut table = Rgb565Table::new();
+        table.set(&palette);
+        let red = palette.entries().map(|[red, ..]| red);
+        red.collect::<std::vec::Vec<u8>>()
+    };
+    assert_eq!(shown(0, 0, 3), [0, 1, 2, 3, 4, 5]);
+    assert_eq!(shown(1, 4, 0), [0, 1, 2, 3, 4, 5]);
+    assert_eq!(shown(1, 4, 1), [0, 2, 3, 4, 1, 5]);
+    assert_eq!(shown(1, 4, 7), [0, 4, 1, 2, 3, 5]);
+    assert_eq!(shown(0, 6, 6), [0, 1, 2, 3, 4, 5]);
 }

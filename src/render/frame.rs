@@ -1,5 +1,7 @@
 //! The data path, in order.
 
+use core::ops::Range;
+
 use super::actors::Actors;
 use super::draw::draw_meshlet;
 use super::meshlet_cache::MeshletCache;
@@ -10,7 +12,7 @@ use super::viewports::Viewports;
 use super::visible_list;
 use crate::display::Display;
 use crate::frame::Band;
-use crate::palette::Palette;
+use crate::palette::{Cycle, Palette};
 use crate::scene::{Pose, Scene};
 
 /// Draws a frame: `pose.height` rows as wide as the band, in as many bands as
@@ -43,8 +45,39 @@ pub fn render_frame_with<P: Paint, D: Display>(
     band: &mut Band<'_>,
     display: &mut D,
 ) -> Result<FrameStats, D::Error> {
+    render_rows_with(paint, scene, pose, work, band, 0..pose.height, display)
+}
+
+/// The palette as it is in a pose: an application that changes nothing but
+/// [`Pose::palette_shift`] need not draw again.
+pub fn palette<'a>(scene: &Scene<'a>, pose: &Pose<'_>) -> Palette<'a> {
+    let (first, count) = scene.header().cycle;
+    Palette {
+        colours: scene.palette(),
+        cycle: Cycle {
+            first,
+            count,
+            shift: pose.palette_shift,
+        },
+    }
+}
+
+/// Draws some rows of a frame only; see [`render_frame`].
+///
+/// # Errors
+/// Those of the display; drawing itself cannot fail.
+pub fn render_rows_with<P: Paint, D: Display>(
+    paint: &P,
+    scene: &Scene<'_>,
+    pose: &Pose<'_>,
+    work: &mut Workspace<'_>,
+    band: &mut Band<'_>,
+    rows: Range<u16>,
+    display: &mut D,
+) -> Result<FrameStats, D::Error> {
     let mut stats = FrameStats::default();
     let (width, height) = (band.width(), pose.height);
+    let rows = rows.start..rows.end.min(height);
 
     // 1. Viewports and their cameras; the actors' matrices and lights follow
     //    when first needed.
@@ -52,23 +85,14 @@ pub fn render_frame_with<P: Paint, D: Display>(
 
     // 2. Meshlets that may be seen, near ones first: once for the whole frame if
     //    the list holds them, else for each band, as often as it takes.
-    let whole = visible_list::fill(
-        work.entries,
-        None,
-        scene,
-        &mut actors,
-        &(0..height),
-        &mut stats,
-    );
+    let whole = visible_list::fill(work.entries, None, scene, &mut actors, &rows, &mut stats);
     let whole = whole.last.is_none().then_some(whole.entries.len());
     let mut cache = MeshletCache::new(work.slots);
 
-    display.begin(&Palette {
-        colours: scene.palette(),
-    })?;
-    let mut top = 0;
-    while top < height {
-        let rows = top..top.saturating_add(band.rows()).min(height);
+    display.begin(&palette(scene, pose))?;
+    let mut top = rows.start;
+    while top < rows.end {
+        let rows = top..top.saturating_add(band.rows()).min(rows.end);
         let mut target = band.target(rows.start, rows.end);
         let mut viewports = Viewports::new(paint, scene, &mut target, height);
         cache.begin_band(rows.end);

@@ -8,6 +8,7 @@ mod draw;
 mod frame;
 mod meshlet_cache;
 mod paint;
+mod pick;
 mod scratch;
 mod stats;
 mod surface;
@@ -15,7 +16,8 @@ mod triangles;
 mod viewports;
 mod visible_list;
 
-pub use frame::{render_frame, render_frame_with};
+pub use frame::{palette, render_frame, render_frame_with, render_rows_with};
 pub use paint::{Ids, Paint, PaintActor, PaintLight, PaintTriangle, Shaded};
+pub use pick::{Picked, pick};
 pub use scratch::{Scratch, Workspace};
 pub use stats::FrameStats;

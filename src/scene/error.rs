@@ -105,6 +105,7 @@ pub enum Field {
     Dither,
     Samples,
     Eyes,
+    PaletteCycle,
 }
 
 /// Why a blob was refused. Nothing of a refused blob is used.

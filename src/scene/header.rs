@@ -31,6 +31,10 @@ pub struct Header {
     pub dither_pattern: u8,
     /// See [`Dither::spread`](super::Dither::spread).
     pub dither_spread: u16,
+    /// Palette entries that go round: the first, and how many; 0: none.
+    pub cycle: (u16, u16),
+    /// Frames in which they go round once, at least 1 if there are any.
+    pub cycle_frames: u32,
     /// Eye, raw [`World`](crate::math::World) bits.
     pub position: [i32; 3],
     /// What is in the middle of the picture.
@@ -81,6 +85,8 @@ impl Record for Header {
             c2,
             frames,
             dither,
+            cycle,
+            cycle_frames,
         ] = *words;
         let [format, exponent, centre_exponent, range_exponent] = format.to_ne_bytes();
         Self {
@@ -96,6 +102,8 @@ impl Record for Header {
             frames: u(frames),
             dither_pattern: u(dither) as u8,
             dither_spread: (u(dither) >> 16) as u16,
+            cycle: (u(cycle) as u16, (u(cycle) >> 16) as u16),
+            cycle_frames: u(cycle_frames),
             position: [i(p0), i(p1), i(p2)],
             focal_point: [i(f0), i(f1), i(f2)],
             view_up: [i(u0), i(u1), i(u2)],
@@ -112,6 +120,8 @@ impl Record for Header {
         let exponents = [self.world_exponent, self.centre_exponent].map(|e| e as u8);
         let [world, centre] = exponents;
         let format = [self.colour_format, world, centre, self.range_exponent];
+        let (first, count) = self.cycle;
+        let cycle = u32::from(first) | u32::from(count) << 16;
         let [c0, c1, c2] = self.world_centre.map(w);
         let [p0, p1, p2] = self.position.map(w);
         let [f0, f1, f2] = self.focal_point.map(w);
@@ -142,6 +152,8 @@ impl Record for Header {
             c2,
             self.frames.to_le(),
             (u32::from(self.dither_pattern) | u32::from(self.dither_spread) << 16).to_le(),
+            cycle.to_le(),
+            self.cycle_frames.to_le(),
         ]
     }
 }

@@ -38,7 +38,7 @@ pub mod layout {
     /// Version of the layout. A reader refuses any other.
     pub const VERSION: u32 = 1;
     /// Words of the header, before the section table.
-    pub const HEADER_WORDS: usize = 25;
+    pub const HEADER_WORDS: usize = 27;
     /// Sections; each has two words in the table: byte offset and count.
     pub const SECTIONS: usize = 21;
     /// Bytes before the first section.

@@ -116,6 +116,14 @@ impl<'a> Scene<'a> {
     fn check_colours(&self) -> Result<(), SceneError> {
         let colours = self.palette.len();
         count(Section::Palette, colours, 2, 256)?;
+        let (first, cycled) = self.header.cycle;
+        let end = usize::from(first) + usize::from(cycled);
+        if end > colours || (cycled != 0 && self.header.cycle_frames == 0) {
+            return Err(SceneError::Header {
+                field: Field::PaletteCycle,
+                value: end as i64,
+            });
+        }
         count(Section::Background, self.background.len(), 1, 65535)?;
         let index_ok = |section, i, value: &u8| {
             range(

@@ -127,6 +127,9 @@ pub struct Pose<'a> {
     /// Viewports whose camera is another than the scene file says: number and
     /// camera.
     pub cameras: &'a [(u16, Camera)],
+    /// How many entries on the scene's cycled palette entries have gone: they look
+    /// as so many entries further on do in the palette.
+    pub palette_shift: u16,
 }
 
 impl Pose<'_> {
@@ -190,7 +193,17 @@ impl Scene<'_> {
             frame,
             moved: &[],
             cameras: &[],
+            palette_shift: self.palette_shift(number),
         }
+    }
+
+    /// See [`Pose::palette_shift`].
+    fn palette_shift(&self, number: u32) -> u16 {
+        let (_, count) = self.header.cycle;
+        let frames = self.header.cycle_frames;
+        let part = number.checked_rem(frames).unwrap_or(0);
+        let shift = u64::from(part) * u64::from(count);
+        shift.checked_div(frames.into()).unwrap_or(0) as u16
     }
 
     /// The camera with its tracks, in their order.

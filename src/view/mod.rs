@@ -6,6 +6,7 @@
 mod actor_view;
 mod depth_map;
 mod lights;
+mod mapping;
 mod meshlet_rows;
 mod model_frame;
 mod row;
@@ -14,6 +15,7 @@ mod view_frame;
 pub use actor_view::{ActorView, EyeInGrid};
 pub use depth_map::DepthMap;
 pub use lights::{ModelLights, round_level};
+pub use mapping::{DisplayPoint, Ndc, Ray};
 pub use meshlet_rows::MeshletRows;
 pub use model_frame::ModelFrame;
 pub use view_frame::{Lens, ViewFrame};

@@ -284,3 +284,36 @@ fn a_long_chain_of_parents_is_refused() {
     let error = chain(18).expect_err("refused").to_string();
     assert_eq!(error, "17 parents above an actor, at most 16 can be baked");
 }
+
+/// The picture stays, index by index, while the colours of its lamps go round.
+#[test]
+fn a_palette_goes_round() {
+    let scene = load(&root().join("scenes/palette_cycle.toml")).unwrap_or_else(|e| panic!("{e}"));
+    let baked = bake(&scene).unwrap_or_else(|e| panic!("{e}"));
+    let core = baked.scene().expect("baked a moment ago");
+    let at = |frame| {
+        let options = fixel_host::Options {
+            frame,
+            ..fixel_host::Options::of(&core)
+        };
+        let index = fixel_host::render(&core, &options).index;
+        (index, fixel_host::colours(&core, frame))
+    };
+    let (index, colours) = at(0);
+    for (frame, shift) in [(1, 0), (2, 1), (23, 11), (24, 0), (31, 3)] {
+        let (same, moved) = at(frame);
+        assert!(same == index, "frame {frame}");
+        for (entry, moved) in moved.iter().enumerate() {
+            let source = if entry < 12 {
+                (entry + shift) % 12
+            } else {
+                entry
+            };
+            assert_eq!(*moved, colours[source], "frame {frame}, entry {entry}");
+        }
+    }
+    // All lamps have colours of their own, which are the first ones.
+    assert!((0..12).all(|entry| index.contains(&entry)));
+    let unbaked = fixel_bake::unbake(&core);
+    assert_eq!(unbaked.animation, scene.animation);
+}

@@ -45,6 +45,7 @@ fn part(planes: &Planes, columns: std::ops::Range<usize>, rows: std::ops::Range<
             .flat_map(|y| planes.depth[place(y)].to_vec())
             .collect(),
         size: planes.size,
+        frame: 0,
         stats: planes.stats,
     }
 }
@@ -83,6 +84,7 @@ fn each_part_is_what_a_screen_of_its_size_shows() {
                     .flat_map(|r| r[6..].to_vec())
                     .collect(),
                 size: right.size,
+                frame: 0,
                 stats: right.stats,
             }
         },
@@ -93,6 +95,7 @@ fn each_part_is_what_a_screen_of_its_size_shows() {
         index: left.index[..160 * 117].to_vec(),
         depth: left.depth[..160 * 117].to_vec(),
         size: left.size,
+        frame: 0,
         stats: left.stats,
     };
     assert_same(&part(&all, 0..160, 0..117), &above, "above the inset");

@@ -24,7 +24,7 @@ fn resolved(output: Output, width: u16, rows: usize, indices: &[u8]) -> Vec<(u16
     let mut sums = [7; 8];
     let mut pixels = [0; 8];
     let mut display = Resolve::new(output, &mut sums, &mut pixels, Rows::default());
-    let Ok(()) = display.begin(&Palette { colours: &COLOURS });
+    let Ok(()) = display.begin(&Palette::new(&COLOURS));
     let band = usize::from(width) * rows;
     for (number, (indices, depths)) in indices.chunks(band).zip(depths.chunks(band)).enumerate() {
         let Ok(()) = display.show(BandRows {

@@ -210,3 +210,21 @@ mod quotients {
         }
     }
 }
+
+#[test]
+fn angles_and_their_tangents() {
+    for bits in (1u32..1 << 30).step_by(99_991) {
+        let angle = Angle::from_bits(bits);
+        let exact = (f64::from(bits) / 2f64.powi(32) * TAU).tan();
+        let tangent = f64::from(angle.tangent()) / 2f64.powi(24);
+        if exact > 250.0 {
+            continue;
+        }
+        // Half a step, and what the sine and the cosine are off.
+        let most = 2f64.powi(-24) + 2f64.powi(-27) * (1.0 + exact * exact);
+        assert!((tangent - exact).abs() < most, "{bits}: {tangent} {exact}");
+        let again = Angle::of_tangent(angle.tangent()).to_bits();
+        let off = f64::from(again.abs_diff(bits)) / 2f64.powi(32);
+        assert!(off < 2f64.powi(-25), "{bits} {again}: {off:e}");
+    }
+}

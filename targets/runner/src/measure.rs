@@ -8,7 +8,7 @@ use core::convert::Infallible;
 
 use fixel::display::{Resolve, Rgb565Rows};
 use fixel::frame::BandRows;
-use fixel::palette::{Palette, Rgb565Table};
+use fixel::palette::Rgb565Table;
 use fixel::{Display, Scratch};
 
 use crate::demo::WIDTH;
@@ -213,9 +213,8 @@ pub fn measure<
         };
         watch.start(platform);
         if output.is_resolved() {
-            let Ok(()) = resolve.begin(&Palette {
-                colours: scene.palette(),
-            });
+            let pose = scene.pose(frame);
+            let Ok(()) = resolve.begin(&fixel::render::palette(&scene, &pose));
         }
         engine::render(
             black_box(&scene),

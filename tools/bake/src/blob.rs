@@ -134,6 +134,16 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
         ),
         records(&output),
     ];
+    let cycle = scene.animation.palette_cycle;
+    if let Some(cycle) = cycle.filter(|c| c.last as usize >= tables.palette.len()) {
+        return Err(BakeError::Range {
+            what: format!(
+                "animation.palette_cycle.last of a palette of {} entries",
+                tables.palette.len()
+            ),
+            value: cycle.last.into(),
+        });
+    }
     let words = assemble(header(scene, &units, tables.spread)?, &sections)?;
     Ok(Baked {
         words,

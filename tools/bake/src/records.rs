@@ -13,6 +13,7 @@ use crate::units::{Units, mantissa_exponent, turns, unit_q30};
 
 pub(crate) fn header(scene: &Scene, units: &Units, spread: f64) -> Result<Header, BakeError> {
     let camera = camera(&scene.camera, units)?;
+    let cycle = scene.animation.palette_cycle;
     Ok(Header {
         length: 0,
         checksum: 0,
@@ -38,6 +39,8 @@ pub(crate) fn header(scene: &Scene, units: &Units, spread: f64) -> Result<Header
             Dithering::Bayer8 => core_scene::DitherPattern::Bayer8,
         } as u8,
         dither_spread: (spread * 255.0 * 64.0).round() as u16,
+        cycle: cycle.map_or((0, 0), |c| (c.first as u16, (c.last - c.first + 1) as u16)),
+        cycle_frames: cycle.map_or(0, |c| c.frames),
         position: camera.position,
         focal_point: camera.focal_point,
         view_up: camera.view_up,

@@ -23,7 +23,7 @@ pub enum Command {
     Bake(Bake),
     /// Say what is in a .fxl file.
     Info(Info),
-    /// (not there yet) Render many frames to a GIF, an APNG or a folder.
+    /// Render many frames to a GIF, an APNG or a folder.
     Animate(Animate),
     /// (not there yet) Show a scene in a window.
     View(View),
@@ -119,12 +119,20 @@ pub struct Info {
 pub struct Animate {
     /// A scene, a mesh or a baked scene, as for render.
     pub scene: PathBuf,
-    /// A .gif, an animated .png, or a folder for single pictures.
+    /// A .gif, an animated .png, or a folder for single pictures
+    /// (frame_0000.png and so on).
     #[arg(short, long, value_name = "OUT")]
     pub output: PathBuf,
-    /// How many frames.
-    #[arg(long, value_name = "N")]
+    /// How many frames [default: until the animation starts again].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: Option<u32>,
+    /// Frames a second.
+    #[arg(long, value_name = "N", default_value_t = 25,
+          value_parser = clap::value_parser!(u16).range(1..=100))]
+    pub fps: u16,
+    /// Picture size in pixels [default: the scene's display].
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
 }
 
 #[derive(Debug, Args)]

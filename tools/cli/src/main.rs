@@ -3,6 +3,7 @@
 //! Exit codes: 0 done; 1 with one line on standard error; 2 for wrong usage.
 //! Standard output carries only what was asked for there.
 
+mod animate;
 mod args;
 mod bake;
 mod baked;
@@ -39,7 +40,7 @@ fn run(command: Command) -> anyhow::Result<()> {
         Command::Compare(args) => compare::run(&args),
         Command::Bake(args) => bake::run(&args),
         Command::Info(args) => info::run(&args),
-        Command::Animate(_) => bail!("animate is not there yet"),
+        Command::Animate(args) => animate::run(&args),
         Command::View(_) => bail!("view is not there yet"),
         Command::Estimate(_) => bail!("estimate is not there yet"),
     }

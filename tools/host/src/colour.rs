@@ -4,10 +4,9 @@ use fixel::Scene;
 use fixel::palette::rgb565;
 use fixel::scene::ColourFormat;
 
-/// The colours that the panel shows for palette indices, 8 bits a channel.
-pub(crate) fn pixels(scene: &Scene<'_>, indices: &[u8]) -> Vec<[u8; 3]> {
-    let format = scene.colour_format();
-    let palette: Vec<_> = scene.palette().iter().map(|c| shown(format, *c)).collect();
+/// The colours that the panel shows for palette indices in a frame of the animation, 8 bits a channel.
+pub(crate) fn pixels(scene: &Scene<'_>, frame: u32, indices: &[u8]) -> Vec<[u8; 3]> {
+    let palette = colours(scene, frame);
     let colour = |i: &u8| palette.get(usize::from(*i)).copied().unwrap_or_default();
     indices.iter().map(colour).collect()
 }
@@ -33,6 +32,14 @@ pub(crate) fn widened(bits: u16) -> [u8; 3] {
         widen(bits >> 5 & 63, 63),
         widen(bits & 31, 31),
     ]
+}
+
+/// What the panel shows for each palette index in a frame of the animation.
+pub fn colours(scene: &Scene<'_>, frame: u32) -> Vec<[u8; 3]> {
+    let pose = scene.pose(frame);
+    let palette = fixel::render::palette(scene, &pose);
+    let format = scene.colour_format();
+    palette.entries().map(|c| shown(format, c)).collect()
 }
 
 /// The nearest of `most + 1` steps.

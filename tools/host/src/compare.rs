@@ -6,7 +6,7 @@ use fixel_reference::{Frame, Lookup, NO_TRIANGLE, Path};
 
 use crate::colour::pixels;
 use crate::planes::{self, Options};
-use crate::{Planes, shown};
+use crate::{Planes, colours};
 
 /// Renders every plane of a baked scene.
 pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Planes) {
@@ -14,11 +14,7 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
     let there: Vec<bool> = drawn.depth.iter().map(|d| *d != 0).collect();
     let actor = planes::actors(scene, options).into_iter().zip(&there);
     let triangle = planes::triangles(scene, options).into_iter().zip(&there);
-    let palette: Vec<[u8; 3]> = scene
-        .palette()
-        .iter()
-        .map(|c| shown(scene.colour_format(), *c))
-        .collect();
+    let palette = colours(scene, options.frame);
     let source = |id: u32| {
         baked
             .sources
@@ -46,7 +42,7 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
             .map(|(id, there)| if *there { source(id) } else { NO_TRIANGLE })
             .collect(),
         light: planes::light(scene, options),
-        rgb: pixels(scene, &index),
+        rgb: pixels(scene, options.frame, &index),
         index,
         depth: drawn.depth.clone(),
         texture_place: Vec::new(),

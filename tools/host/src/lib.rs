@@ -10,7 +10,7 @@ mod compare;
 mod picture;
 mod planes;
 
-pub use colour::shown;
+pub use colour::{colours, shown};
 pub use compare::frame;
 pub use picture::picture;
-pub use planes::{Options, Planes, render};
+pub use planes::{Options, Planes, pick, render};

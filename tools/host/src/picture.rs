@@ -5,7 +5,6 @@ use std::convert::Infallible;
 use fixel::Scene;
 use fixel::display::{Display, Resolve, Rgb565Rows};
 use fixel::frame::BandRows;
-use fixel::palette::Palette;
 use fixel::scene::{ColourFormat, Stereo};
 
 use crate::Planes;
@@ -16,10 +15,11 @@ pub fn picture(scene: &Scene<'_>, planes: &Planes) -> (Vec<[u8; 3]>, (u16, u16))
     let output = scene.output();
     let size = output.picture_size(planes.size);
     let format = scene.colour_format();
-    let colours = scene.palette();
-    let colour = |index: u8| colours.get(usize::from(index)).copied().unwrap_or_default();
+    let pose = scene.pose(planes.frame);
+    let palette = fixel::render::palette(scene, &pose);
+    let colour = |index: u8| palette.rgb888(index);
     if !output.is_resolved() {
-        return (pixels(scene, &planes.index), size);
+        return (pixels(scene, planes.frame, &planes.index), size);
     }
     if format == ColourFormat::Rgb565 {
         return (resolved(scene, planes, size.0), size);
@@ -60,9 +60,8 @@ fn resolved(scene: &Scene<'_>, planes: &Planes, width: u16) -> Vec<[u8; 3]> {
     let mut row = vec![0; width.into()];
     let pixels = Pixels(Vec::new());
     let mut display = Resolve::new(scene.output(), &mut sums, &mut row, pixels);
-    let Ok(()) = display.begin(&Palette {
-        colours: scene.palette(),
-    });
+    let pose = scene.pose(planes.frame);
+    let Ok(()) = display.begin(&fixel::render::palette(scene, &pose));
     let Ok(()) = display.show(BandRows {
         indices: &planes.index,
         depths: &planes.depth,

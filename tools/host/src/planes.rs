@@ -6,7 +6,8 @@ use fixel::display::Display;
 use fixel::frame::BandRows;
 use fixel::palette::Palette;
 use fixel::render::{
-    FrameStats, Paint, PaintActor, PaintLight, PaintTriangle, Scratch, Shaded, render_frame_with,
+    FrameStats, Paint, PaintActor, PaintLight, PaintTriangle, Picked, Scratch, Shaded,
+    render_frame_with,
 };
 use fixel::scene::Dither;
 use fixel::{Band, Scene};
@@ -46,6 +47,8 @@ pub struct Planes {
     pub depth: Vec<u16>,
     /// Width and height of the frame, whose pixels may be samples of the picture's.
     pub size: (u16, u16),
+    /// Which frame of the animation it is.
+    pub frame: u32,
     /// What the frame took.
     pub stats: FrameStats,
 }
@@ -116,6 +119,21 @@ pub(crate) fn triangles(scene: &Scene<'_>, options: &Options) -> Vec<u32> {
         .collect()
 }
 
+/// What a pixel of the picture shows, its first sample if it has several and to the
+/// left eye if there are two; see [`fixel::render::pick`].
+pub fn pick(scene: &Scene<'_>, options: &Options, x: u16, y: u16) -> Option<Picked> {
+    let output = scene.output();
+    let (width, height) = output.frame_size((options.width, options.height));
+    let (mut indices, mut depths) = (vec![0; width.into()], vec![0; width.into()]);
+    let mut scratch = Box::new(HostScratch::new());
+    let mut pose = scene.pose(options.frame);
+    pose.height = height;
+    let mut band = Band::new(width, &mut indices, &mut depths).ok()?;
+    let [across, down] = output.samples.map(u16::from);
+    let (x, y) = (x.saturating_mul(across), y.saturating_mul(down));
+    fixel::render::pick(scene, &pose, &mut scratch.workspace(), &mut band, x, y)
+}
+
 fn paint<P: Paint>(paint: &P, scene: &Scene<'_>, options: &Options) -> Planes {
     let (width, height) = scene.output().frame_size((options.width, options.height));
     let rows = options.band_rows.unwrap_or(height).clamp(1, height.max(1));
@@ -128,6 +146,7 @@ fn paint<P: Paint>(paint: &P, scene: &Scene<'_>, options: &Options) -> Planes {
         index: Vec::new(),
         depth: Vec::new(),
         size: (width, height),
+        frame: options.frame,
         stats: FrameStats::default(),
     });
     // The buffers hold `rows` rows of 1..=2048 pixels: a band there is.

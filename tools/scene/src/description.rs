@@ -443,6 +443,22 @@ pub struct Animation {
     /// Key frames. Those of the camera are applied in the order of their
     /// quantities.
     pub tracks: Vec<Track>,
+    /// Palette entries that go round.
+    pub palette_cycle: Option<PaletteCycle>,
+}
+
+/// Palette entries that take each other's place: in frame `n` the entry
+/// `first + i` of `count` has the colour of entry
+/// `first + (i + floor(n * count / frames)) mod count`. No renderer but those that
+/// have a palette shows it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PaletteCycle {
+    /// The first entry.
+    pub first: u32,
+    /// The last entry, after `first`.
+    pub last: u32,
+    /// Frames in which they go round once, at least 1.
+    pub frames: u32,
 }
 
 /// One quantity of one thing over time: linear between the keys, the first one's
@@ -504,9 +520,10 @@ pub struct Key {
 
 impl Animation {
     /// Frames after which everything starts again: of the tracks, or of the
-    /// turntable.
+    /// turntable, or of the palette.
     pub fn length(&self) -> Option<u32> {
-        self.frames.or(self.turntable)
+        let cycle = self.palette_cycle.map(|cycle| cycle.frames);
+        self.frames.or(self.turntable).or(cycle)
     }
 }
 

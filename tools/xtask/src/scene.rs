@@ -21,7 +21,7 @@ pub const BENCH: [&str; 6] = [
 /// `scenes/`. Clipping, slivers, a parallel camera and more actors than the
 /// firmware keeps matrices for are among them; chains of parents, key frames and
 /// camera moves.
-pub const PARITY: [&str; 17] = [
+pub const PARITY: [&str; 18] = [
     "teapot",
     "bunny",
     "suzanne",
@@ -33,6 +33,7 @@ pub const PARITY: [&str; 17] = [
     "tiny_128x64",
     "parents",
     "keyframes",
+    "palette_cycle",
     "viewports",
     "fog_exponential",
     "spot",

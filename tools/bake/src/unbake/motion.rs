@@ -2,7 +2,7 @@
 
 use fixel::Scene as Blob;
 use fixel::scene::{self as core_scene, Quantity as Core, layout};
-use fixel_scene::{Actor, Animation, Key, Quantity, Target, Track};
+use fixel_scene::{Actor, Animation, Key, PaletteCycle, Quantity, Target, Track};
 use glam::{DMat4, DVec3};
 
 /// World lengths to scene units.
@@ -92,6 +92,14 @@ pub(super) fn animation(blob: &Blob<'_>, places: &Places) -> Animation {
         turntable: some(header.turntable),
         frames: some(header.frames),
         tracks: blob.tracks().map(|t| track(blob, places, &t)).collect(),
+        palette_cycle: match header.cycle {
+            (_, 0) => None,
+            (first, count) => Some(PaletteCycle {
+                first: first.into(),
+                last: u32::from(first) + u32::from(count) - 1,
+                frames: header.cycle_frames,
+            }),
+        },
     }
 }
 

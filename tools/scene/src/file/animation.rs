@@ -5,19 +5,18 @@ use std::collections::BTreeMap;
 use super::actor::find;
 use super::camera::{MOVES, move_number, pan};
 use super::many;
-use super::table::{Keys, Neutral, Table};
-use crate::description::{Actor, Animation, Key, Quantity, Target, Track};
+use super::table::{Keys, Table};
+use toml::de::DeValue;
+
+use crate::description::{Actor, Animation, Key, Palette, PaletteCycle, Quantity, Target, Track};
 use crate::error::Error;
 
 pub(super) const ANIMATION: Keys = Keys {
-    known: &["turntable", "frames", "key"],
-    later: &[
-        ("palette_cycle", Neutral::Never),
-        ("palette_cycling", Neutral::Never),
-    ],
+    known: &["turntable", "frames", "key", "palette_cycle"],
+    later: &[],
 };
 
-const KEY: Keys = Keys {
+pub(super) const KEY: Keys = Keys {
     known: &[
         "actor",
         "frame",
@@ -35,6 +34,11 @@ const KEY: Keys = Keys {
     later: &[],
 };
 
+pub(super) const CYCLE: Keys = Keys {
+    known: &["first", "last", "frames"],
+    later: &[],
+};
+
 /// Most frames of an animation.
 const MOST: u32 = 100_000;
 /// What a key calls the camera.
@@ -47,6 +51,7 @@ type Found = BTreeMap<(Target, Quantity), Vec<Key>>;
 pub(super) fn animation(
     table: Option<&Table<'_, '_>>,
     actors: &[Actor],
+    palette: &Palette,
 ) -> Result<Animation, Error> {
     let Some(table) = table else {
         return Ok(Animation::default());
@@ -71,7 +76,35 @@ pub(super) fn animation(
         turntable,
         frames: frames.or(last.map(|last| last + 1)),
         tracks: found.into_iter().map(track).collect(),
+        palette_cycle: palette_cycle(table, palette)?,
     })
+}
+
+fn palette_cycle(table: &Table<'_, '_>, palette: &Palette) -> Result<Option<PaletteCycle>, Error> {
+    let Some(value) = table.get("palette_cycle") else {
+        return Ok(None);
+    };
+    let example = "{ first = 0, last = 15, frames = 32 }";
+    let DeValue::Table(inner) = value.get_ref() else {
+        let what = format!("is not a table; expected e.g. palette_cycle = {example}");
+        return Err(table.error("palette_cycle", what));
+    };
+    let name = "animation.palette_cycle";
+    let inner = Table::new(table.source, name, inner, value.span(), &CYCLE)?;
+    let need = |key, range| {
+        let missing = || {
+            let what = format!("is missing; expected e.g. palette_cycle = {example}");
+            inner.error(key, what)
+        };
+        inner.whole(key, range)?.ok_or_else(missing)
+    };
+    let most = palette.colours - 1;
+    let first = need("first", 0..=most - 1)?;
+    Ok(Some(PaletteCycle {
+        first,
+        last: need("last", first + 1..=most)?,
+        frames: need("frames", 1..=MOST)?,
+    }))
 }
 
 /// One key: each thing that it names is a key of its own track.

@@ -10,7 +10,7 @@ use crate::description::{Actor, Material, Mesh, Rgb};
 use crate::error::Error;
 use crate::look::{Look, Mark, Representation, Shape, Space};
 
-const LINE: Keys = Keys {
+pub(super) const LINE: Keys = Keys {
     known: &[
         "name",
         "points",
@@ -23,7 +23,7 @@ const LINE: Keys = Keys {
     ],
     later: &[],
 };
-const MARKER: Keys = Keys {
+pub(super) const MARKER: Keys = Keys {
     known: &[
         "name",
         "points",
@@ -36,7 +36,7 @@ const MARKER: Keys = Keys {
     ],
     later: &[],
 };
-const TEXT: Keys = Keys {
+pub(super) const TEXT: Keys = Keys {
     known: &[
         "name",
         "text",

@@ -87,7 +87,7 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
     }
 
     let animation = one(&root, "animation", &animation::ANIMATION)?;
-    let animation = animation::animation(animation.as_ref(), &actors)?;
+    let animation = animation::animation(animation.as_ref(), &actors, &palette)?;
 
     let bounds = Bounds::of(&actors, &meshes, &animation);
     let aspect = f64::from(display.width) / f64::from(display.height);

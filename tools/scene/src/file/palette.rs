@@ -13,7 +13,7 @@ pub(super) const PALETTE: Keys = Keys {
     later: &[],
 };
 
-const RAMP: Keys = Keys {
+pub(super) const RAMP: Keys = Keys {
     known: &["from", "to", "steps"],
     later: &[],
 };

@@ -52,7 +52,7 @@ messages! {
         => "t.toml:1: cameras: is an unknown key; did you mean camera?";
     nothing_near: "[animation]\nxyzzyplugh = 1"
         => "t.toml:2: animation.xyzzyplugh: is an unknown key; expected one of turntable, frames, \
-            key";
+            key, palette_cycle";
     table_of_many: "[light]\nkind = \"ambient\""
         => "t.toml:1: light: is not a list of tables; expected [[light]]";
     table_of_one: "[[camera]]\nposition = [0, 0, 1]"
@@ -310,6 +310,12 @@ messages! {
     elevation_to_a_pole: "[camera]\nposition = [0, 0, 5]\nelevation = 90"
         => "t.toml:2: camera.position: view_up is parallel to the line of sight; \
             expected e.g. view_up = [0, 0, 1]";
+    cycle_of_one: "[animation]\npalette_cycle = { first = 4, last = 4, frames = 9 }"
+        => "t.toml:2: animation.palette_cycle.last: 4 is out of range; \
+            expected a whole number in 5..=255";
+    cycle_without_frames: "[animation]\npalette_cycle = { first = 4, last = 9 }"
+        => "t.toml:2: animation.palette_cycle.frames: is missing; \
+            expected e.g. palette_cycle = { first = 0, last = 15, frames = 32 }";
     key_of_nobody: "[[animation.key]]\nframe = 1\nroll = 5"
         => "t.toml:1: animation.key.actor: is missing; \
             expected the name of an [[actor]], or actor = \"camera\"";
@@ -616,5 +622,45 @@ fn the_examples_on_the_format_are_scenes() {
         let actor = "[[actor]]\nmesh = \"meshes/cube_textured.obj\"\n";
         let scene = read(&format!("{table}{block}\n{actor}"));
         assert!(scene.is_ok(), "{block}: {scene:?}");
+    }
+}
+
+/// A stranger can write a scene from `docs/scene-format.md` alone: each table has a
+/// section, and each of its keys stands there.
+#[test]
+fn the_documentation_has_every_key() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/scene-format.md");
+    let text = std::fs::read_to_string(path).unwrap();
+    let section = |heading: &str| {
+        let mut sections = text.split("\n## ");
+        sections.find(|section| section.lines().next().unwrap().contains(heading))
+    };
+    let annotations = "[[line]]";
+    for (heading, keys) in [
+        ("[display]", &super::display::DISPLAY),
+        ("[camera]", &super::camera::CAMERA),
+        ("[[viewport]]", &super::viewport::VIEWPORT),
+        ("[[light]]", &super::light::LIGHT),
+        ("[[material]]", &super::material::MATERIAL),
+        ("[[material]]", &super::texture::TEXTURE),
+        ("[[actor]]", &super::actor::ACTOR),
+        (annotations, &super::annotation::LINE),
+        (annotations, &super::annotation::MARKER),
+        (annotations, &super::annotation::TEXT),
+        ("[fog]", &super::fog::FOG),
+        ("[palette]", &super::palette::PALETTE),
+        ("[palette]", &super::palette::RAMP),
+        ("[animation]", &super::animation::ANIMATION),
+        ("[animation]", &super::animation::KEY),
+        ("[animation]", &super::animation::CYCLE),
+    ] {
+        let section = section(heading).unwrap_or_else(|| panic!("no section {heading}"));
+        for key in keys.known {
+            assert!(section.contains(&format!("`{key}`")), "{heading}: {key}");
+        }
+    }
+    for table in super::ROOT.known {
+        let found = section(&format!("[{table}]"));
+        assert!(found.is_some(), "no section [{table}]");
     }
 }

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::texture::{Filter, Texture, Texturing, Wrap};
 use crate::{mesh, picture};
 
-const TEXTURE: Keys = Keys {
+pub(super) const TEXTURE: Keys = Keys {
     known: &[
         "file",
         "filter",

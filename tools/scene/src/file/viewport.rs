@@ -8,7 +8,7 @@ use crate::description::{Animation, Aspect, Camera, Display, Viewport};
 use crate::error::Error;
 use crate::framing::Bounds;
 
-const VIEWPORT: Keys = Keys {
+pub(super) const VIEWPORT: Keys = Keys {
     known: &["rectangle", "camera", "background", "aspect"],
     later: &[],
 };
