@@ -9,6 +9,7 @@
 //!   -> per vertex: transform, light        vertex/   screen position, depth, level
 //!   -> per triangle: near clip, setup      clip/, raster/
 //!   -> per span: depth test, shade         raster/
+//!   -> per edge, per point: lines, marks   line/
 //!   -> per pixel: fog                       fog/       by depth
 //!   -> Band: rows of indices and depth     frame/
 //!   -> palette: index -> panel colour      palette/
@@ -38,6 +39,7 @@ pub mod fog;
 pub mod frame;
 mod include;
 pub mod light;
+pub mod line;
 pub mod math;
 pub mod palette;
 pub mod raster;

@@ -116,6 +116,24 @@ pub fn clip(view: &ActorView, triangle: [ClipVertex; 3]) -> Polygon {
     polygon
 }
 
+/// The part of a line between all planes, projected.
+pub fn clip_line(view: &ActorView, line: [ClipVertex; 2]) -> Option<[ScreenVertex; 2]> {
+    let [mut a, mut b] = line.map(|vertex| Point {
+        vertex,
+        weights: [0; 3],
+    });
+    for plane in PLANES {
+        let inside = [&a, &b].map(|p| signed_distance(view, plane, &p.vertex) >= 0);
+        match inside {
+            [true, true] => {}
+            [false, false] => return None,
+            [true, false] => b = crossing(view, plane, &a, &b),
+            [false, true] => a = crossing(view, plane, &b, &a),
+        }
+    }
+    Some([a, b].map(|p| project(view, &held(view, &p.vertex))))
+}
+
 /// How far inside a plane a vertex is, in units of that plane.
 fn signed_distance(view: &ActorView, plane: u8, v: &ClipVertex) -> i64 {
     let (x, y, distance) = (i64::from(v.x), i64::from(v.y), i64::from(v.distance));

@@ -30,8 +30,9 @@ pub enum Verdict {
     FacesAway,
 }
 
-/// Judges a meshlet. Never calls one invisible that has a pixel to show.
-pub fn judge(view: &ActorView, meshlet: &Meshlet, height: u16) -> Verdict {
+/// Judges a meshlet. Never calls one invisible that has a pixel to show, where
+/// pixels may be `reach` pixels off the meshlet's place.
+pub fn judge(view: &ActorView, meshlet: &Meshlet, height: u16, reach: u16) -> Verdict {
     let away = match view.material.cull {
         Cull::Back => cone::faces_away(view, meshlet, false),
         Cull::Front => cone::faces_away(view, meshlet, true),
@@ -41,7 +42,7 @@ pub fn judge(view: &ActorView, meshlet: &Meshlet, height: u16) -> Verdict {
         return Verdict::FacesAway;
     }
     let base = MeshletRows::new(view, meshlet).base();
-    match sphere::extent(view, base, meshlet.radius_steps(), height) {
+    match sphere::extent(view, base, meshlet.radius_steps(), height, reach) {
         Some(visible) => Verdict::Visible(visible),
         None => Verdict::OutsideView,
     }

@@ -5,12 +5,13 @@ use crate::math::{SUBPX_BITS, reciprocal};
 use crate::view::ActorView;
 
 /// What a sphere of `radius` grid steps about a point with clip coordinates
-/// `base` may touch; `None` if it is beyond a side.
+/// `base` may touch, and what is `reach` pixels off it; `None` if it is beyond a side.
 pub(super) fn extent(
     view: &ActorView,
     base: [i32; 3],
     radius: i32,
     height: u16,
+    reach: u16,
 ) -> Option<Visible> {
     let [x, y, distance] = base.map(i64::from);
     // Rounded up, and 2 for the coordinate's own rounding.
@@ -23,7 +24,8 @@ pub(super) fn extent(
     }
     let [side_x, side_y] = view.side_lengths;
     let [half_width, half_height] = view.middle.map(i64::from);
-    let edge = |half| view.side_at(half, distance) + 2;
+    let off = i64::from(reach) << SUBPX_BITS;
+    let edge = |half| view.side_at(half + off, distance) + 2;
     if x.abs() > edge(half_width) + grown(side_x) || y.abs() > edge(half_height) + grown(side_y) {
         return None;
     }
@@ -35,7 +37,10 @@ pub(super) fn extent(
     let top = screen(view, top, if top < 0 { nearest } else { farthest }) + half_height;
     let bottom = screen(view, bottom, if bottom > 0 { nearest } else { farthest }) + half_height;
     let row = |v: i64| (v >> SUBPX_BITS).clamp(0, i64::from(height)) as u16;
-    let (first_row, end_row) = (row(top - 4), row(bottom + 4 + (1 << SUBPX_BITS)));
+    let (first_row, end_row) = (
+        row(top - off - 4),
+        row(bottom + off + 4 + (1 << SUBPX_BITS)),
+    );
     if first_row >= end_row {
         return None;
     }

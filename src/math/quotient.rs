@@ -27,6 +27,11 @@ impl Divider {
         Self { divisor, recip }
     }
 
+    /// What it divides by.
+    pub fn divisor(&self) -> i32 {
+        self.divisor
+    }
+
     /// `(floor(n / d), n - floor(n / d) * d)`.
     #[inline(always)]
     pub fn floor(&self, n: i32) -> (i32, i32) {

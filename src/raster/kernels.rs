@@ -34,6 +34,30 @@ impl Kernel for Flat<'_> {
     }
 }
 
+/// Depth alone.
+pub(super) struct DepthOnly<'a> {
+    pub shape: &'a Shape<'a>,
+}
+
+impl Kernel for DepthOnly<'_> {
+    type Planes = Attributes;
+
+    #[inline(always)]
+    fn setup(&self, plane: &Plane, row: i32) -> Option<Attributes> {
+        Attributes::depth(plane, self.shape, row)
+    }
+
+    #[inline(always)]
+    fn draw(&mut self, span: Span<'_>, at: &Attributes) {
+        let z = at.z.at(columns(self.shape, &span));
+        span::depth(span.depths, z, at.z.gradient.x);
+    }
+
+    fn sliver(&mut self, span: Span<'_>) {
+        sliver::span(span, self.shape, Fill::Depth);
+    }
+}
+
 /// A light level, interpolated along the screen.
 pub(super) struct Gouraud<'a> {
     pub shape: &'a Shape<'a>,

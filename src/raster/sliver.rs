@@ -33,6 +33,7 @@ pub(super) fn span(span: Span<'_>, shape: &Shape<'_>, fill: Fill<'_>) {
         }
         *depth = here as Depth;
         *pixel = match fill {
+            Fill::Depth => continue,
             Fill::Flat(index) => index,
             Fill::Gouraud(shades) => {
                 let weights = if shape.perspective {

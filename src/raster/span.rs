@@ -13,6 +13,20 @@ pub enum Fill<'a> {
     Flat(u8),
     /// The vertices' light level, interpolated, through a shade table's row.
     Gouraud(&'a [u8; 256]),
+    /// Nothing: depth alone.
+    Depth,
+}
+
+impl Fill<'_> {
+    /// The index of a pixel with a light level, if it gets one.
+    #[inline(always)]
+    pub(crate) fn index(self, level: impl FnOnce() -> usize) -> Option<u8> {
+        match self {
+            Self::Flat(index) => Some(index),
+            Self::Gouraud(shades) => shades.get(level()).copied(),
+            Self::Depth => None,
+        }
+    }
 }
 
 /// One palette index. About 9 instructions a hidden pixel, 11 a drawn one on
@@ -25,6 +39,15 @@ pub(super) fn flat(indices: &mut [u8], depths: &mut [Depth], mut z: u32, dz: i32
             *depth = here;
             *pixel = index;
         }
+        z = z.wrapping_add_signed(dz);
+    }
+}
+
+/// Depth alone.
+#[inline(always)]
+pub(super) fn depth(depths: &mut [Depth], mut z: u32, dz: i32) {
+    for depth in depths {
+        *depth = (*depth).max((z >> 16) as Depth);
         z = z.wrapping_add_signed(dz);
     }
 }

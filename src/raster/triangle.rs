@@ -1,6 +1,6 @@
 //! A triangle becomes spans.
 
-use super::kernels::{Flat, Gouraud, InPerspective};
+use super::kernels::{DepthOnly, Flat, Gouraud, InPerspective};
 use super::perspective;
 use super::scan::{Shape, scan};
 use super::span::Fill;
@@ -130,6 +130,7 @@ fn fill_triangle(
                 index,
             },
         ),
+        Fill::Depth => scan(target, &shape, &mut DepthOnly { shape: &shape }),
         Fill::Gouraud(shades) if shape.perspective => {
             scan(
                 target,

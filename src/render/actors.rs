@@ -1,5 +1,6 @@
 //! Viewports of a frame and matrices of its actors, made when first asked for.
 
+use super::lines;
 use crate::fog::FogDepths;
 use crate::scene::{Fog, PlacedViewport, Pose, Scene};
 use crate::view::{ActorView, ViewFrame};
@@ -81,8 +82,13 @@ impl<'a> Actors<'a> {
             self.viewport(viewport);
             let slot = self.slots.get_mut(which)?;
             let actor = self.scene.actor(index);
-            let place = self.pose.place(self.scene, index, &actor);
-            slot.view = ActorView::new(&self.view, self.scene, &actor, &place);
+            let look = lines::look(self.scene, index);
+            slot.view = if look.is_some_and(|look| look.on_screen) {
+                ActorView::on_screen(&self.view, self.scene, &actor)
+            } else {
+                let place = self.pose.place(self.scene, index, &actor);
+                ActorView::new(&self.view, self.scene, &actor, &place)
+            };
             slot.held = number + 1;
         }
         Some(&self.slots.get(which)?.view)

@@ -1,5 +1,6 @@
 //! One meshlet into one band.
 
+use super::lines::{self, Pass, draw_hidden, draw_look};
 use super::meshlet_cache::MeshletCache;
 use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
@@ -12,7 +13,7 @@ use crate::scene::{Cull, Meshlet, Scene, Shading};
 use crate::vertex::{TransformedMeshlet, transform_meshlet};
 use crate::view::{ActorView, round_level};
 
-/// Draws the triangles of a listed meshlet into its viewport's rows.
+/// Draws what a listed meshlet has in its pass, into its viewport's rows.
 pub(super) fn draw_meshlet<P: Paint>(
     paint: &P,
     scene: &Scene<'_>,
@@ -25,7 +26,7 @@ pub(super) fn draw_meshlet<P: Paint>(
     let Some(meshlet) = scene.meshlet(entry.meshlet()) else {
         return;
     };
-    let key = (entry.actor, entry.key);
+    let key = (entry.actor, entry.cache_key());
     let transformed = cache.get(key, entry.end_row, |out| {
         stats.meshlets_transformed += 1;
         stats.vertices += u32::from(meshlet.vertices);
@@ -38,10 +39,20 @@ pub(super) fn draw_meshlet<P: Paint>(
         scene,
         view,
         actor: entry.actor,
+        number: entry.meshlet(),
         meshlet: &meshlet,
         transformed,
     };
-    if cfg!(feature = "light") && view.material.is_surface() {
+    if entry.pass() != Pass::Surface {
+        // Without the feature there is no such pass.
+        if let Some(look) = lines::look(scene, entry.actor) {
+            if entry.pass() == Pass::Hidden {
+                draw_hidden(paint, &part, &look, target, stats);
+            } else {
+                draw_look(paint, &part, &look, target, stats);
+            }
+        }
+    } else if cfg!(feature = "light") && view.material.is_surface() {
         draw_surface_meshlet(paint, &part, target, stats);
     } else {
         draw_plain_meshlet(paint, &part, target, stats);
@@ -53,6 +64,8 @@ pub(super) struct Part<'a> {
     pub scene: &'a Scene<'a>,
     pub view: &'a ActorView,
     pub actor: u16,
+    /// The meshlet's place in the scene's list.
+    pub number: u32,
     pub meshlet: &'a Meshlet,
     pub transformed: &'a TransformedMeshlet,
 }

@@ -6,6 +6,7 @@
 mod actors;
 mod draw;
 mod frame;
+mod lines;
 mod meshlet_cache;
 mod paint;
 mod pick;

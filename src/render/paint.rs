@@ -12,8 +12,16 @@ use crate::shade::{Lookup, dithered};
 pub struct Ids {
     /// The actor.
     pub actor: u16,
-    /// The triangle's place in the scene's list.
+    /// The triangle's place in the scene's list, an edge's with [`Ids::EDGE`] added,
+    /// or a vertex's with [`Ids::POINT`].
     pub triangle: u32,
+}
+
+impl Ids {
+    /// An edge; see [`Ids::triangle`].
+    pub const EDGE: u32 = 1 << 30;
+    /// A vertex; see [`Ids::triangle`].
+    pub const POINT: u32 = 1 << 31;
 }
 
 /// Chooses a triangle's fill.
@@ -24,6 +32,9 @@ pub trait Paint {
     /// `shades` is the material's row of the shade table; `flat` the face's
     /// level if it has one.
     fn fill<'a>(&self, shades: &'a [u8; 256], flat: Option<Level>, ids: Ids) -> Fill<'a>;
+
+    /// Of a face that shows the background and hides what is behind it.
+    fn hidden<'a>(&self, ids: Ids) -> Fill<'a>;
 
     /// The index where nothing is drawn, given the scene's.
     fn background(&self, index: u8) -> u8;
@@ -49,6 +60,11 @@ impl Paint for Shaded {
             Some(level) => Fill::Flat(shades[usize::from(level)]),
             None => Fill::Gouraud(shades),
         }
+    }
+
+    #[inline(always)]
+    fn hidden<'a>(&self, _: Ids) -> Fill<'a> {
+        Fill::Depth
     }
 
     #[inline(always)]
@@ -91,6 +107,10 @@ impl Paint for PaintLight {
         flat.map_or(Fill::Gouraud(LEVELS), Fill::Flat)
     }
 
+    fn hidden<'a>(&self, _: Ids) -> Fill<'a> {
+        Fill::Flat(0)
+    }
+
     fn background(&self, _: u8) -> u8 {
         0
     }
@@ -113,6 +133,10 @@ impl Paint for PaintActor {
         Fill::Flat(byte_of(u32::from(ids.actor), self.byte))
     }
 
+    fn hidden<'a>(&self, ids: Ids) -> Fill<'a> {
+        Fill::Flat(byte_of(u32::from(ids.actor), self.byte))
+    }
+
     fn background(&self, _: u8) -> u8 {
         0
     }
@@ -132,6 +156,10 @@ pub struct PaintTriangle {
 
 impl Paint for PaintTriangle {
     fn fill<'a>(&self, _: &'a [u8; 256], _: Option<Level>, ids: Ids) -> Fill<'a> {
+        Fill::Flat(byte_of(ids.triangle, self.byte))
+    }
+
+    fn hidden<'a>(&self, ids: Ids) -> Fill<'a> {
         Fill::Flat(byte_of(ids.triangle, self.byte))
     }
 

@@ -32,6 +32,10 @@ pub struct FrameStats {
     pub triangles_clipped: u32,
     /// Triangles drawn, counted again in each band.
     pub triangles_drawn: u32,
+    /// Lines looked at, counted again in each band.
+    pub lines: u32,
+    /// Marks looked at, counted again in each band.
+    pub marks: u32,
 }
 
 impl FrameStats {

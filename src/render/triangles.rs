@@ -69,7 +69,7 @@ pub(super) fn triangles(
 
 /// A meshlet's vertex by index.
 #[inline(always)]
-fn corner(transformed: &TransformedMeshlet, index: u8) -> &ScreenVertex {
+pub(super) fn corner(transformed: &TransformedMeshlet, index: u8) -> &ScreenVertex {
     #[expect(clippy::indexing_slicing, reason = "held below the array's length")]
     &transformed.vertices[usize::from(index) % MESHLET_VERTICES]
 }

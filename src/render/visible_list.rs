@@ -3,15 +3,16 @@
 use core::ops::Range;
 
 use super::actors::Actors;
+use super::lines::{self, Pass};
 use super::stats::FrameStats;
 use crate::cull::{Verdict, judge};
 use crate::scene::Scene;
+use crate::scene::layout::MESHLETS;
 
 /// A meshlet that may be visible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// The meshlet in the low 28 bits (a blob has fewer), the viewport in the
-    /// others.
+    /// The meshlet in the low 26 bits, the pass above, the viewport in the last four.
     pub(super) key: u32,
     pub(super) actor: u16,
     /// Rows of the frame.
@@ -20,6 +21,7 @@ pub struct Entry {
     pub(super) nearness: u16,
 }
 
+const PASS_SHIFT: u32 = MESHLETS.ilog2();
 const VIEWPORT_SHIFT: u32 = 28;
 
 /// The order of drawing: no two meshlets of a frame have the same place in it,
@@ -44,14 +46,28 @@ impl Entry {
     }
 
     pub(super) fn meshlet(&self) -> u32 {
-        self.key & ((1 << VIEWPORT_SHIFT) - 1)
+        self.key & ((1 << PASS_SHIFT) - 1)
     }
 
-    /// By viewport, then near ones first, then by actor and meshlet.
+    pub(super) fn pass(&self) -> Pass {
+        let code = (self.key >> PASS_SHIFT & 3) as usize;
+        Pass::ALL.get(code).copied().unwrap_or(Pass::Surface)
+    }
+
+    /// The meshlet and the viewport: its vertices are the same in all passes.
+    pub(super) fn cache_key(&self) -> u32 {
+        self.key & !(3 << PASS_SHIFT)
+    }
+
+    /// By viewport, then by pass, then near ones first, then by actor and meshlet.
     fn place(&self) -> Place {
-        let viewport = u32::from(self.viewport());
-        let nearness = u32::from(u16::MAX - self.nearness);
-        (viewport << 16 | nearness, self.actor, self.key)
+        let near = if self.pass() == Pass::Over {
+            0
+        } else {
+            u32::from(u16::MAX - self.nearness)
+        };
+        let part = self.key >> PASS_SHIFT;
+        (part << 16 | near, self.actor, self.key)
     }
 }
 
@@ -80,12 +96,14 @@ pub(super) fn fill<'e>(
         let Some(view) = actors.get(viewport, actor) else {
             continue;
         };
+        let look = lines::look(scene, actor);
+        let (passes, reach) = (Pass::of(look.as_ref()), look.map_or(0, |look| look.reach()));
         for number in mesh.first_meshlet..mesh.first_meshlet.saturating_add(mesh.meshlets) {
             let Some(meshlet) = scene.meshlet(number) else {
                 continue;
             };
             stats.meshlets += 1;
-            let visible = match judge(view, &meshlet, rect.height()) {
+            let visible = match judge(view, &meshlet, rect.height(), reach) {
                 Verdict::Visible(visible) => visible,
                 Verdict::OutsideView => {
                     stats.meshlets_outside += 1;
@@ -96,25 +114,28 @@ pub(super) fn fill<'e>(
                     continue;
                 }
             };
-            let entry = Entry {
-                key: u32::from(viewport) << VIEWPORT_SHIFT | number,
-                actor,
-                first_row: rect.top + visible.first_row,
-                end_row: rect.top + visible.end_row,
-                nearness: visible.nearness,
-            };
-            if !entry.touches(rows) || after.is_some_and(|after| entry.place() <= after) {
-                continue;
-            }
-            if let Some(slot) = entries.get_mut(count) {
-                *slot = entry;
-                count += 1;
-            } else {
-                if all {
-                    sort(entries);
-                    all = false;
+            for pass in passes {
+                let part = u32::from(viewport) << VIEWPORT_SHIFT | (*pass as u32) << PASS_SHIFT;
+                let entry = Entry {
+                    key: part | number,
+                    actor,
+                    first_row: rect.top + visible.first_row,
+                    end_row: rect.top + visible.end_row,
+                    nearness: visible.nearness,
+                };
+                if !entry.touches(rows) || after.is_some_and(|after| entry.place() <= after) {
+                    continue;
                 }
-                displace_last(entries, entry);
+                if let Some(slot) = entries.get_mut(count) {
+                    *slot = entry;
+                    count += 1;
+                } else {
+                    if all {
+                        sort(entries);
+                        all = false;
+                    }
+                    displace_last(entries, entry);
+                }
             }
         }
     }

@@ -147,6 +147,8 @@ impl<'a> Scene<'a> {
             + size_of_val(self.face_normals)
             + size_of_val(self.fine)
             + size_of_val(self.vertex_colours)
+            + size_of_val(self.edges)
+            + size_of_val(self.meshlet_edges)
     }
 
     /// A meshlet by its place in the scene's list.

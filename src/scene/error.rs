@@ -27,6 +27,10 @@ pub enum Section {
     VertexColours,
     Colours,
     Output,
+    Looks,
+    Marks,
+    Edges,
+    MeshletEdges,
 }
 
 impl Section {
@@ -53,6 +57,10 @@ impl Section {
         Self::VertexColours,
         Self::Colours,
         Self::Output,
+        Self::Looks,
+        Self::Marks,
+        Self::Edges,
+        Self::MeshletEdges,
     ];
 }
 
@@ -106,6 +114,10 @@ pub enum Field {
     Samples,
     Eyes,
     PaletteCycle,
+    Actor,
+    Representation,
+    Bias,
+    Mark,
 }
 
 /// Why a blob was refused. Nothing of a refused blob is used.

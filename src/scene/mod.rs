@@ -8,6 +8,7 @@ mod error;
 mod fog;
 mod header;
 mod light;
+mod look;
 mod material;
 mod moves;
 mod output;
@@ -23,6 +24,7 @@ pub use error::{Field, SceneError, Section};
 pub use fog::{Fog, FogMode};
 pub use header::Header;
 pub use light::{Light, LightKind};
+pub use look::{Look, Representation};
 pub use material::{Channels, Cull, Dither, DitherPattern, Material, Shading};
 pub use output::{Output, Stereo};
 pub use parse::Scene;
@@ -40,17 +42,23 @@ pub mod layout {
     /// Words of the header, before the section table.
     pub const HEADER_WORDS: usize = 27;
     /// Sections; each has two words in the table: byte offset and count.
-    pub const SECTIONS: usize = 21;
+    pub const SECTIONS: usize = 25;
     /// Bytes before the first section.
     pub const PREFIX_BYTES: usize = 4 * (HEADER_WORDS + 2 * SECTIONS);
     /// Where the checksum starts: after magic, version, length, checksum.
     pub const CHECKED_FROM: usize = 16;
     /// Colours that the look-up tells apart: 4 bits each of red, green and blue.
     pub const COLOURS: usize = 1 << 12;
+    /// Most meshlets of a scene.
+    pub const MESHLETS: usize = 1 << 26;
     /// Vertices in a meshlet.
     pub const MESHLET_VERTICES: usize = 64;
     /// Triangles in a meshlet.
     pub const MESHLET_TRIANGLES: usize = 128;
+    /// Set in an edge's second end whose pixel another edge draws.
+    pub const CHAINED: u8 = 0x80;
+    /// Most columns or rows of a mark.
+    pub const MARK: i64 = 4096;
     /// Lights with a direction or a place.
     pub const LIGHTS: usize = 8;
     /// Rows of a fog table: from no fog to nothing but fog, in even steps.

@@ -5,8 +5,8 @@ use bytemuck::{AnyBitPattern, try_cast_slice};
 
 use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
 use super::{
-    Actor, ColourFormat, DitherPattern, Field, Fog, Header, Key, Light, Material, Mesh, Meshlet,
-    Output, Record, SceneError, Section, Track, Viewport, checksum,
+    Actor, ColourFormat, DitherPattern, Field, Fog, Header, Key, Light, Look, Material, Mesh,
+    Meshlet, Output, Record, SceneError, Section, Track, Viewport, checksum,
 };
 
 /// A checked scene, read in place from flash.
@@ -34,6 +34,10 @@ pub struct Scene<'a> {
     pub(crate) vertex_colours: &'a [[u8; 4]],
     pub(crate) colours: &'a [[u8; layout::COLOURS]],
     pub(crate) output: &'a [<Output as Record>::Words],
+    pub(crate) looks: &'a [<Look as Record>::Words],
+    pub(crate) marks: &'a [u8],
+    pub(crate) edges: &'a [[u8; 2]],
+    pub(crate) meshlet_edges: &'a [u32],
 }
 
 impl<'a> Scene<'a> {
@@ -99,11 +103,16 @@ impl<'a> Scene<'a> {
             vertex_colours: section(bytes, &mut table)?,
             colours: section(bytes, &mut table)?,
             output: section(bytes, &mut table)?,
+            looks: section(bytes, &mut table)?,
+            marks: section(bytes, &mut table)?,
+            edges: section(bytes, &mut table)?,
+            meshlet_edges: section(bytes, &mut table)?,
         };
         scene.check_colours()?;
         scene.check_lights()?;
         scene.check_materials()?;
         scene.check_actors()?;
+        scene.check_looks()?;
         scene.check_meshes()?;
         scene.check_viewports()?;
         scene.check_tracks()?;
@@ -213,6 +222,8 @@ impl<'a> Scene<'a> {
     }
 
     fn check_meshes(&self) -> Result<(), SceneError> {
+        let meshlets = self.meshlets.len();
+        count(Section::Meshlets, meshlets, 0, layout::MESHLETS)?;
         for (i, words) in self.meshes.iter().enumerate() {
             let mesh = Mesh::from_words(words);
             let (first, count) = (i64::from(mesh.first_meshlet), i64::from(mesh.meshlets));
@@ -242,7 +253,9 @@ impl<'a> Scene<'a> {
         let s = Section::Meshlets;
         let (vertices, triangles) = (i64::from(meshlet.vertices), i64::from(meshlet.triangles));
         range(s, i, Field::Count, vertices, 1, MESHLET_VERTICES as i64)?;
-        range(s, i, Field::Count, triangles, 1, MESHLET_TRIANGLES as i64)?;
+        // A meshlet of lines or points has none.
+        range(s, i, Field::Count, triangles, 0, MESHLET_TRIANGLES as i64)?;
+        self.check_edges(i, meshlet)?;
         let half = i64::from(layout::GRID_HALF);
         for c in meshlet.base {
             range(s, i, Field::Base, c.into(), -half, half)?;

@@ -220,7 +220,7 @@ pub struct Meshlet {
     pub radius: u16,
     /// Vertices, 1..=64.
     pub vertices: u8,
-    /// Triangles, 1..=128.
+    /// Triangles, 0..=128: of lines and points there are none.
     pub triangles: u8,
     /// Mean direction of its faces, 127 is 1.
     pub cone_axis: [i8; 3],

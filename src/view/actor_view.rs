@@ -266,7 +266,7 @@ fn coordinate_bits(frame: &ViewFrame) -> i32 {
 }
 
 /// Rounded up length of a row.
-fn row_length([a, b, c]: [i32; 3]) -> i32 {
+pub(super) fn row_length([a, b, c]: [i32; 3]) -> i32 {
     let squared = [a, b, c].iter().fold(0u64, |sum, v| {
         sum + u64::from(v.unsigned_abs()) * u64::from(v.unsigned_abs())
     });

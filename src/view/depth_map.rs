@@ -36,6 +36,14 @@ const LEAST: i32 = 9;
 const ONE: u64 = 65535 << 4;
 
 impl DepthMap {
+    /// As near as depth goes, wherever.
+    pub(super) const NEAREST: Self = Self::Parallel {
+        base: ONE as i32,
+        reference: 0,
+        mantissa: 0,
+        shift: 0,
+    };
+
     /// For clip distances that are world distances times `2^scale`, where the near
     /// plane's is `near`.
     pub(crate) fn new(frame: &ViewFrame, scale: i32, near: i32) -> Self {

@@ -9,6 +9,7 @@ mod lights;
 mod mapping;
 mod meshlet_rows;
 mod model_frame;
+mod on_screen;
 mod row;
 mod view_frame;
 

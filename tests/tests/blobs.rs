@@ -124,9 +124,14 @@ fn every_truncation_is_refused() {
     }
 }
 
+/// All that is not a surface.
+fn lines() -> Baked {
+    fixel_tests::load(&fixel_tests::root().join("tests/data/lines.toml")).1
+}
+
 #[test]
 fn every_changed_byte_is_refused_or_drawn_safely() {
-    for baked in [small(), moving()] {
+    for baked in [small(), moving(), lines()] {
         change_every_byte(&baked);
     }
 }

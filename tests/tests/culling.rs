@@ -188,7 +188,7 @@ fn check(case: &View, counts: &mut Counts) -> Result<(), TestCaseError> {
             let drawn = rows_drawn(&scene, &view, &meshlet);
             counts.meshlets += 1;
             counts.drawn += usize::from(drawn.is_some());
-            match judge(&view, &meshlet, SIZE.1) {
+            match judge(&view, &meshlet, SIZE.1, 0) {
                 Verdict::Visible(visible) => {
                     if let Some((first, end)) = drawn {
                         prop_assert!(

@@ -107,6 +107,9 @@ fn no_capacity_and_no_band_height_changes_a_byte() {
         "fog_exponential",
         "antialiased",
         "stereo_anaglyph",
+        "wireframe",
+        "hidden_line",
+        "lines_markers_text",
     ] {
         let (_, baked) = load(&root().join(format!("scenes/{name}.toml")));
         let scene = baked.scene().expect("baked a moment ago");

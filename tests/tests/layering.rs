@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 /// What each module may import. `render` is the one place that knows all.
-const ALLOWED: [(&str, &[&str]); 13] = [
+const ALLOWED: [(&str, &[&str]); 14] = [
     ("math", &[]),
     ("frame", &["math"]),
     ("scene", &["math"]),
@@ -13,6 +13,7 @@ const ALLOWED: [(&str, &[&str]); 13] = [
     ("cull", &["math", "scene", "view"]),
     ("light", &["math", "scene", "view"]),
     ("vertex", &["light", "math", "scene", "view"]),
+    ("line", &["frame", "math", "raster", "vertex"]),
     ("clip", &["math", "vertex", "view"]),
     ("raster", &["frame", "math", "vertex"]),
     ("fog", &["frame", "math", "scene", "view"]),

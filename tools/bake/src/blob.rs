@@ -2,27 +2,31 @@
 
 use fixel::scene::layout::{CHECKED_FROM, HEADER_WORDS, LIGHTS, PREFIX_BYTES, SECTIONS};
 use fixel::scene::{Header, Record, SceneError, checksum};
-use fixel_scene::Scene;
+use fixel_scene::{Actor, Scene, Space};
 
 use crate::BakeError;
 use crate::fog;
 use crate::instance::instances;
 use crate::light::{light, material};
-use crate::mesh::{Parts, Source};
-use crate::not_yet;
+use crate::look::looks;
+use crate::mesh::{Parts, Source, Sources};
 use crate::palette::tables;
 use crate::placement::placed;
-use crate::records::{actors, header};
+use crate::records::{Instances, actors, header};
 use crate::track::tracks;
 use crate::units::Units;
 use crate::viewport::{output, viewports};
+
+/// Lines and points closer than this, half their extent in world units, get the grid
+/// of such an extent: 2^-18 world units a step.
+const LEAST_HALF: f64 = 8.0;
 
 /// A baked scene.
 #[derive(Clone, Debug)]
 pub struct Baked {
     words: Vec<u32>,
-    /// For each triangle of the blob, where it comes from.
-    pub sources: Vec<Source>,
+    /// For each triangle, edge and vertex of the blob, where it comes from.
+    pub sources: Sources,
 }
 
 impl Baked {
@@ -34,18 +38,25 @@ impl Baked {
         let mut words = vec![0u32; bytes.len().div_ceil(4)];
         bytemuck::cast_slice_mut(&mut words)[..bytes.len()].copy_from_slice(bytes);
         let scene = fixel::Scene::parse(&bytemuck::cast_slice(&words)[..bytes.len()])?;
-        let mut sources = Vec::new();
+        let mut sources = Sources::default();
         for mesh in 0..scene.mesh_count() {
             let record = scene.mesh(mesh);
-            let meshlets = record.first_meshlet..record.first_meshlet + record.meshlets;
-            let counts = meshlets
-                .filter_map(|m| scene.meshlet(m))
-                .map(|m| u32::from(m.triangles));
+            let meshlets = || record.first_meshlet..record.first_meshlet + record.meshlets;
+            let all = || meshlets().filter_map(|m| scene.meshlet(m));
+            let triangles: u32 = all().map(|m| u32::from(m.triangles)).sum();
+            let edges: u32 = meshlets()
+                .map(|m| scene.meshlet_edges(m).0.len() as u32)
+                .sum();
+            let vertices: u32 = all().map(|m| u32::from(m.vertices)).sum();
             let source = |triangle| Source {
                 mesh: mesh.into(),
                 triangle,
             };
-            sources.extend((0..counts.sum()).map(source));
+            let after_edges = triangles + edges;
+            sources.triangles.extend((0..triangles).map(source));
+            sources.edges.extend((triangles..after_edges).map(source));
+            let vertices = after_edges..after_edges + vertices;
+            sources.vertices.extend(vertices.map(source));
         }
         Ok(Self { words, sources })
     }
@@ -70,7 +81,6 @@ impl Baked {
 /// If the scene has more of something than the format holds, a number out of
 /// its range, or asks for what the renderer cannot do yet.
 pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
-    not_yet::check(scene)?;
     at_most("actors", scene.actors.len(), 65535)?;
     at_most("materials", scene.materials.len(), 65535)?;
     at_most("lights with a direction", scene.lights.len(), LIGHTS)?;
@@ -80,9 +90,19 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
     let (instances, uses) = instances(scene, &placed);
     let mut parts = Parts::default();
     for instance in &instances {
-        parts.add_mesh(instance, &scene.meshes[instance.mesh])?;
+        let mesh = &scene.meshes[instance.mesh];
+        // Of a single point, a pixel or some world units.
+        let on_screen =
+            |actor: &Actor| actor.mesh == instance.mesh && actor.look.space == Space::Screen;
+        let least = if !mesh.triangles.is_empty() {
+            f64::MIN_POSITIVE
+        } else if scene.actors.iter().any(on_screen) {
+            1.0
+        } else {
+            units.scene_length(LEAST_HALF)
+        };
+        parts.add_mesh(instance, mesh, least)?;
     }
-    let actors = actors(scene, &units, &placed, &instances, &uses, &parts.grids)?;
     let lights = scene
         .lights
         .iter()
@@ -93,8 +113,19 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
         .materials
         .iter()
         .zip(&tables.paths)
-        .map(|(m, path)| material(scene, *path, m))
-        .collect::<Vec<_>>();
+        .map(|(m, path)| material(scene, *path, m));
+    let mut materials = materials.collect::<Vec<_>>();
+    let looks = looks(scene, &mut materials)?;
+    let instances = Instances {
+        instances: &instances,
+        uses: &uses,
+        grids: &parts.grids,
+        materials: &looks.materials,
+    };
+    let actors = actors(scene, &units, &placed, &instances)?;
+    if parts.edges.is_empty() {
+        parts.meshlet_edges.clear();
+    }
 
     let (tracks, keys) = tracks(scene, &units, &placed)?;
     let fogs: Vec<_> = scene.fog.iter().map(|f| fog::fog(f, &units)).collect();
@@ -113,11 +144,7 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
         (little_endian(&parts.vertices), parts.vertices.len()),
         (words(parts.triangles.as_flattened()), parts.triangles.len()),
         (
-            parts
-                .face_normals
-                .iter()
-                .flat_map(|n| n.to_le_bytes())
-                .collect(),
+            little_endian_words(&parts.face_normals),
             parts.face_normals.len(),
         ),
         (words(parts.fine.as_flattened()), parts.fine.len()),
@@ -133,6 +160,13 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
             usize::from(!tables.colours.is_empty()),
         ),
         records(&output),
+        records(&looks.looks),
+        (words(&looks.marks), looks.marks.len()),
+        (words(parts.edges.as_flattened()), parts.edges.len()),
+        (
+            little_endian_words(&parts.meshlet_edges),
+            parts.meshlet_edges.len(),
+        ),
     ];
     let cycle = scene.animation.palette_cycle;
     if let Some(cycle) = cycle.filter(|c| c.last as usize >= tables.palette.len()) {
@@ -211,4 +245,8 @@ fn little_endian(vertices: &[[i16; 4]]) -> Vec<u8> {
         .iter()
         .flat_map(|v| v.to_le_bytes())
         .collect()
+}
+
+fn little_endian_words(words: &[u32]) -> Vec<u8> {
+    words.iter().flat_map(|word| word.to_le_bytes()).collect()
 }

@@ -21,9 +21,10 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// The finest grid that holds a mesh with these bounds.
-    pub(crate) fn new(mesh: Bounds) -> Self {
-        let half = mesh.half().max_element().max(f64::MIN_POSITIVE);
+    /// The finest grid that holds a mesh with these bounds, as if it were at least
+    /// `least` from its middle to its side: a single point needs no finer one.
+    pub(crate) fn new(mesh: Bounds, least: f64) -> Self {
+        let half = mesh.half().max_element().max(least);
         // Room for the rounding of the centre and the snapping of vertices.
         let finest = (f64::from(GRID_HALF) - 1024.0) / half;
         let exponent = finest.log2().floor().clamp(-60.0, 60.0) as i32;

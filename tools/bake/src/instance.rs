@@ -2,7 +2,7 @@
 //! moving and scaling evenly is done here, so that the core deals with
 //! similarities only (and a normal stays a normal).
 
-use fixel_scene::{Mesh, Scene, Shading};
+use fixel_scene::{Mesh, Representation, Scene, Shading};
 use glam::{DMat3, DVec3};
 
 use crate::placement::Placed;
@@ -18,6 +18,10 @@ pub(crate) struct Instance {
     pub flat: bool,
     /// Whether some actor is shaded from vertex normals.
     pub smooth: bool,
+    /// Whether some actor shows its edges.
+    pub edges: bool,
+    /// Whether some actor shows its vertices.
+    pub points: bool,
 }
 
 impl Instance {
@@ -74,12 +78,24 @@ pub(crate) fn instances(scene: &Scene, placed: &[Placed]) -> (Vec<Instance>, Vec
                 linear,
                 flat: false,
                 smooth: false,
+                edges: false,
+                points: false,
             });
             instances.len() - 1
         });
-        match scene.materials[actor.material].shading {
-            Shading::Flat => instances[which].flat = true,
-            Shading::Gouraud | Shading::Phong => instances[which].smooth = true,
+        let instance = &mut instances[which];
+        match (
+            actor.look.representation,
+            scene.materials[actor.material].shading,
+        ) {
+            (Representation::Surface, Shading::Flat) => instance.flat = true,
+            // Lines and points are lit at vertices.
+            _ => instance.smooth = true,
+        }
+        match actor.look.representation {
+            Representation::Surface => {}
+            Representation::Wireframe | Representation::HiddenLine => instance.edges = true,
+            Representation::Points => instance.points = true,
         }
         uses.push((which, factor));
     }

@@ -2,14 +2,15 @@
 
 use std::collections::HashMap;
 
-use fixel::scene::layout::LEAST_RADIUS;
+use fixel::scene::layout::{CHAINED, LEAST_RADIUS};
 use fixel::scene::{Mesh as MeshRecord, Meshlet};
 use fixel_scene::{Mesh, Rgb};
 use glam::{DVec3, IVec3};
 
 use crate::grid::{Bounds, Grid, Shifts};
+use crate::group::{Group, groups};
 use crate::instance::Instance;
-use crate::meshlet::{Cluster, clusters};
+use crate::meshlet::clusters;
 use crate::snap::{place, snap};
 use crate::{BakeError, normal};
 
@@ -18,13 +19,25 @@ use crate::{BakeError, normal};
 /// not notice.
 const FINE_TRIANGLES: usize = 512;
 
-/// A triangle of the description.
+/// A triangle, an edge or a vertex of the description.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Source {
     /// Index into the description's meshes.
     pub mesh: u32,
-    /// Index into that mesh's triangles.
+    /// Index into that mesh's triangles; of an edge counted on from the triangles, of
+    /// a vertex from the edges.
     pub triangle: u32,
+}
+
+/// For each triangle, edge and vertex of a blob, where it comes from.
+#[derive(Clone, Debug, Default)]
+pub struct Sources {
+    /// Of triangles.
+    pub triangles: Vec<Source>,
+    /// Of edges.
+    pub edges: Vec<Source>,
+    /// Of vertices.
+    pub vertices: Vec<Source>,
 }
 
 /// Sections of the blob as they grow.
@@ -37,7 +50,10 @@ pub(crate) struct Parts {
     pub face_normals: Vec<u32>,
     pub fine: Vec<[u8; 4]>,
     pub colours: Vec<[u8; 4]>,
-    pub sources: Vec<Source>,
+    pub edges: Vec<[u8; 2]>,
+    /// Each meshlet's first edge, and one past the last.
+    pub meshlet_edges: Vec<u32>,
+    pub sources: Sources,
     pub grids: Vec<Grid>,
 }
 
@@ -58,21 +74,44 @@ struct Shape {
 }
 
 impl Parts {
-    pub(crate) fn add_mesh(&mut self, instance: &Instance, mesh: &Mesh) -> Result<(), BakeError> {
+    /// `least` is half the size that a mesh's grid is made for at least.
+    pub(crate) fn add_mesh(
+        &mut self,
+        instance: &Instance,
+        mesh: &Mesh,
+        least: f64,
+    ) -> Result<(), BakeError> {
         let mut shape = Shape::new(instance, mesh);
         let clusters = clusters(&shape.positions, &shape.triangles);
-        let bounds = |cluster: &Cluster| Bounds::of(shape.corners(cluster));
-        let all = Bounds::of(shape.corners(&(0..shape.triangles.len()).collect()));
-        let grid = Grid::new(all);
-        let shifts: Vec<Shifts> = clusters.iter().map(|c| grid.shifts(bounds(c))).collect();
+        let edges = if instance.edges {
+            mesh.edges.as_slice()
+        } else {
+            &[]
+        };
+        let points = 0..if instance.points {
+            shape.positions.len() as u32
+        } else {
+            0
+        };
+        let groups = groups(&shape.triangles, clusters, edges, points);
+        let places = |group: &Group| {
+            let vertices = group.vertices.clone();
+            vertices.into_iter().map(|v| shape.positions[v as usize])
+        };
+        let grid = Grid::new(Bounds::of(groups.iter().flat_map(places)), least);
+        let shifts: Vec<Shifts> = groups
+            .iter()
+            .map(|group| grid.shifts(Bounds::of(places(group))))
+            .collect();
 
         let coarse = shifts.iter().flatten().any(|s| *s > 0);
         shape.fine = coarse && shape.triangles.len() <= FINE_TRIANGLES;
 
         // A vertex is on the coarsest grid of the meshlets that share it.
         let mut coarsest: HashMap<_, Shifts> = HashMap::new();
-        for (cluster, shifts) in clusters.iter().zip(&shifts) {
-            for corner in shape.corners(cluster).filter(|_| !shape.fine) {
+        for (group, shifts) in groups.iter().zip(&shifts).filter(|_| !shape.fine) {
+            for vertex in &group.vertices {
+                let corner = shape.positions[*vertex as usize];
                 let held = coarsest.entry(place(&corner)).or_default();
                 *held = [0, 1, 2].map(|axis| held[axis].max(shifts[axis]));
             }
@@ -84,23 +123,32 @@ impl Parts {
         let fine = (self.fine.len() as u32).wrapping_sub(vertices);
         let colours = (self.colours.len() as u32).wrapping_sub(vertices);
         let mut radius = f64::from(LEAST_RADIUS);
-        for (cluster, shifts) in clusters.iter().zip(shifts) {
-            self.add_meshlet(&shape, cluster, shifts)?;
-            let source = |t: &usize| Source {
+        for (group, shifts) in groups.iter().zip(shifts) {
+            self.add_meshlet(&shape, group, shifts)?;
+            self.add_edges(mesh, group);
+            let source = |triangle: u32| Source {
                 mesh: instance.mesh as u32,
-                triangle: shape.source[*t],
+                triangle,
             };
-            self.sources.extend(cluster.iter().map(source));
-            let length = |v: u32| shape.snapped[v as usize].as_dvec3().length();
-            radius = cluster
-                .iter()
-                .flat_map(|t| shape.triangles[*t])
-                .map(length)
-                .fold(radius, f64::max);
+            let triangles = mesh.triangles.len() as u32;
+            let after_edges = triangles + mesh.edges.len() as u32;
+            let of_triangle = |t: &usize| source(shape.source[*t]);
+            let of_edge = |e: &usize| source(triangles + *e as u32);
+            let of_vertex = |v: &u32| source(after_edges + v);
+            let sources = &mut self.sources;
+            sources
+                .triangles
+                .extend(group.triangles.iter().map(of_triangle));
+            sources.edges.extend(group.edges.iter().map(of_edge));
+            sources
+                .vertices
+                .extend(group.vertices.iter().map(of_vertex));
+            let length = |v: &u32| shape.snapped[*v as usize].as_dvec3().length();
+            radius = group.vertices.iter().map(length).fold(radius, f64::max);
         }
         self.meshes.push(MeshRecord {
             first_meshlet,
-            meshlets: clusters.len() as u32,
+            meshlets: groups.len() as u32,
             radius: radius.ceil() as u32 + 1,
             face_normals: shape.flat,
             fine: shape.fine.then_some(fine),
@@ -110,19 +158,35 @@ impl Parts {
         Ok(())
     }
 
+    /// The edges of the meshlet that was added last.
+    fn add_edges(&mut self, mesh: &Mesh, group: &Group) {
+        // Lines by themselves leave an end to another that starts there.
+        let chained =
+            |end: &u32| mesh.triangles.is_empty() && mesh.edges.iter().any(|edge| edge[0] == *end);
+        let number = |vertex: &u32| {
+            let found = group.vertices.iter().position(|v| v == vertex);
+            found.unwrap_or(0) as u8
+        };
+        if self.meshlet_edges.is_empty() {
+            self.meshlet_edges.push(0);
+        }
+        for edge in &group.edges {
+            let [from, to] = &mesh.edges[*edge];
+            let flag = if chained(to) { CHAINED } else { 0 };
+            self.edges.push([number(from), number(to) | flag]);
+        }
+        self.meshlet_edges.push(self.edges.len() as u32);
+    }
+
     fn add_meshlet(
         &mut self,
         shape: &Shape,
-        cluster: &Cluster,
+        group: &Group,
         shifts: Shifts,
     ) -> Result<(), BakeError> {
+        let cluster = &group.triangles;
+        let members = &group.vertices;
         let list: Vec<[u32; 3]> = cluster.iter().map(|t| shape.triangles[*t]).collect();
-        let mut members: Vec<u32> = Vec::new();
-        for v in list.as_flattened() {
-            if !members.contains(v) {
-                members.push(*v);
-            }
-        }
         let points = || members.iter().map(|v| shape.snapped[*v as usize]);
         let low = points().fold(IVec3::MAX, IVec3::min);
         let high = points().fold(IVec3::MIN, IVec3::max);
@@ -148,7 +212,7 @@ impl Parts {
             first_vertex: self.vertices.len() as u32,
             first_triangle: self.triangles.len() as u32,
         });
-        for v in &members {
+        for v in members {
             let from_base = (shape.snapped[*v as usize] - base).to_array();
             let mut vertex = [0; 4];
             for axis in 0..3 {
@@ -217,14 +281,6 @@ impl Shape {
             flat: instance.flat,
             fine: false,
         }
-    }
-
-    /// Places of a cluster's corners.
-    fn corners(&self, cluster: &Cluster) -> impl Iterator<Item = DVec3> {
-        cluster
-            .iter()
-            .flat_map(|t| self.triangles[*t])
-            .map(|v| self.positions[v as usize])
     }
 
     fn face_normal(&self, triangle: &[u32; 3]) -> DVec3 {

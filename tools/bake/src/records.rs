@@ -2,7 +2,7 @@
 
 use fixel::scene::layout::STEP_EXPONENTS;
 use fixel::scene::{self as core_scene, CameraRecord, Header};
-use fixel_scene::{Camera, ColourFormat, Dithering, Projection, Scene};
+use fixel_scene::{Camera, ColourFormat, Dithering, Projection, Scene, Space};
 use glam::DVec3;
 
 use crate::BakeError;
@@ -122,20 +122,50 @@ fn range(camera: &Camera, units: &Units, projection: u8) -> Result<(i32, i32, u8
     Ok((near, far.max(near.saturating_add(1)), exponent))
 }
 
-/// An actor, where it is, and its instance and even factor.
-type Whole<'a> = (&'a fixel_scene::Actor, &'a Placed, &'a (usize, f64));
+/// What actors have of the blob's other records.
+pub(crate) struct Instances<'a> {
+    pub instances: &'a [Instance],
+    /// For each actor, its instance and its even factor.
+    pub uses: &'a [(usize, f64)],
+    pub grids: &'a [Grid],
+    /// For each actor, its material.
+    pub materials: &'a [u16],
+}
 
 pub(crate) fn actors(
     scene: &Scene,
     units: &Units,
     placed: &[Placed],
-    instances: &[Instance],
-    uses: &[(usize, f64)],
-    grids: &[Grid],
+    all: &Instances<'_>,
 ) -> Result<Vec<core_scene::Actor>, BakeError> {
-    let actor = |(actor, placed, (which, factor)): Whole<'_>| {
-        let (instance, grid) = (&instances[*which], &grids[*which]);
-        let offset = (grid.centre - instance.linear * DVec3::from(actor.origin)) * *factor;
+    let actor = |number: usize| {
+        let (actor, placed) = (&scene.actors[number], &placed[number]);
+        let (which, factor) = all.uses[number];
+        let (instance, grid) = (&all.instances[which], &all.grids[which]);
+        let record = core_scene::Actor {
+            mesh: which as u16,
+            material: all.materials[number],
+            position: [0; 3],
+            orientation: [0; 3],
+            offset: [0; 3],
+            step_mantissa: 0,
+            step_exponent: 0,
+            parent: actor.parent.map(|parent| parent as u16),
+            still: actor.still,
+        };
+        if actor.look.space == Space::Screen {
+            // A world unit is a pixel.
+            let step = f64::exp2(-f64::from(grid.exponent));
+            let (step_mantissa, step_exponent) = mantissa_exponent(step);
+            let pixels = |c: f64| (c * 65536.0).round() as i32;
+            return Ok(core_scene::Actor {
+                offset: grid.centre.to_array().map(pixels),
+                step_mantissa,
+                step_exponent,
+                ..record
+            });
+        }
+        let offset = (grid.centre - instance.linear * DVec3::from(actor.origin)) * factor;
         let name = &actor.name;
         let step = factor * f64::exp2(f64::from(units.exponent - grid.exponent));
         let (step_mantissa, step_exponent) = mantissa_exponent(step);
@@ -143,21 +173,17 @@ pub(crate) fn actors(
         if !(least..=most).contains(&step_exponent) {
             return Err(BakeError::Range {
                 what: format!("actor `{name}`: scale"),
-                value: *factor,
+                value: factor,
             });
         }
         Ok(core_scene::Actor {
-            mesh: *which as u16,
-            material: actor.material as u16,
             position: placed.position(units, actor, actor.position)?,
             orientation: placed.orientation.map(turns),
             offset: units.vector(&format!("actor `{name}`: origin"), offset)?,
             step_mantissa,
             step_exponent,
-            parent: actor.parent.map(|parent| parent as u16),
-            still: actor.still,
+            ..record
         })
     };
-    let whole = scene.actors.iter().zip(placed).zip(uses);
-    whole.map(|((a, p), u)| actor((a, p, u))).collect()
+    (0..scene.actors.len()).map(actor).collect()
 }

@@ -7,9 +7,11 @@
 use fixel::Scene as Blob;
 use fixel::math::Scaled;
 use fixel::scene as core_scene;
+use fixel::scene::layout::CHAINED;
 use fixel_scene::{
-    Aspect, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Material, Mesh,
-    Palette, Projection, Rgb, Scene, Shading, Stereo, Viewport,
+    Actor, Aspect, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Look, Mark,
+    Material, Mesh, Palette, Projection, Representation, Rgb, Scene, Shading, Space, Stereo,
+    Viewport,
 };
 
 use crate::normal;
@@ -64,8 +66,15 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
                 )
             })
             .collect(),
-        meshes: (0..blob.mesh_count()).map(|i| mesh(blob, i)).collect(),
-        actors: motion::actors(blob, &places),
+        meshes: meshes(blob),
+        actors: motion::actors(blob, &places)
+            .into_iter()
+            .zip(0..)
+            .map(|(actor, i)| Actor {
+                look: look(blob, i),
+                ..actor
+            })
+            .collect(),
         fog: blob
             .fog()
             .map(|fog| crate::fog::unbake(&fog, |bits| places.length(bits))),
@@ -226,7 +235,51 @@ fn material(number: u16, material: &core_scene::Material, colour: Rgb) -> Materi
     }
 }
 
-/// A mesh in grid steps, its triangles in the blob's order.
+/// How an actor is drawn.
+fn look(blob: &Blob<'_>, actor: u16) -> Look {
+    let Some(look) = blob.look(actor) else {
+        return Look::default();
+    };
+    Look {
+        representation: match look.representation {
+            core_scene::Representation::Wireframe => Representation::Wireframe,
+            core_scene::Representation::HiddenLine => Representation::HiddenLine,
+            core_scene::Representation::Points => Representation::Points,
+        },
+        depth_test: look.depth_test,
+        bias: look.bias.into(),
+        line_width: look.line_width.into(),
+        mark: Mark::Bitmap {
+            size: look.mark_size,
+            offset: look.mark_offset,
+            rows: blob.mark(&look).to_vec(),
+        },
+        space: if look.on_screen {
+            Space::Screen
+        } else {
+            Space::World
+        },
+    }
+}
+
+/// All meshes, those of actors on the screen in pixels.
+fn meshes(blob: &Blob<'_>) -> Vec<Mesh> {
+    let mut meshes: Vec<Mesh> = (0..blob.mesh_count()).map(|i| mesh(blob, i)).collect();
+    for i in 0..blob.actor_count() {
+        if blob.look(i).is_some_and(|look| look.on_screen) {
+            let actor = blob.actor(i);
+            let step =
+                f64::from(actor.step_mantissa) * f64::exp2(f64::from(actor.step_exponent - 31));
+            let offset = actor.offset.map(|c| f64::from(c) / 65536.0);
+            for position in &mut meshes[usize::from(actor.mesh)].positions {
+                *position = [0, 1, 2].map(|axis| offset[axis] + position[axis] * step);
+            }
+        }
+    }
+    meshes
+}
+
+/// A mesh in grid steps, its triangles and edges in the blob's order.
 fn mesh(blob: &Blob<'_>, number: u16) -> Mesh {
     let record = blob.mesh(number);
     let mut mesh = Mesh {
@@ -259,6 +312,9 @@ fn mesh(blob: &Blob<'_>, number: u16) -> Mesh {
         mesh.colours
             .extend(tints.map(|[r, g, b, _]| [r, g, b].map(|c| f64::from(*c) / 255.0)));
         let corners = |t: &[u8; 3]| t.map(|v| first + u32::from(v));
+        let (edges, _) = blob.meshlet_edges(record.first_meshlet + i);
+        let ends = |[from, to]: &[u8; 2]| [*from, to & !CHAINED].map(|v| first + u32::from(v));
+        mesh.edges.extend(edges.iter().map(ends));
         mesh.triangles
             .extend(blob.meshlet_triangles(&meshlet).iter().map(corners));
     }

@@ -86,6 +86,11 @@ impl Units {
         DVec3::from(self.centre.map(f64::from)) * f64::exp2(f64::from(self.centre_exponent))
     }
 
+    /// A length in world units, in scene units.
+    pub(crate) fn scene_length(&self, length: f64) -> f64 {
+        length * f64::exp2(-f64::from(self.exponent))
+    }
+
     /// Raw bits of a place in the world.
     pub(crate) fn place(&self, what: &str, place: DVec3) -> Result<[i32; 3], BakeError> {
         self.vector(what, place - self.origin())

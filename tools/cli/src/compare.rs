@@ -68,6 +68,7 @@ fn summary(report: &Report) -> String {
         "size        {} x {} px, {} covered\n\
          coverage    {} px differ ({:.4} %)\n\
          visible     {} px show another triangle\n\
+         lines       {} px hang on rounding, left out\n\
          depth       max {:.2}{}, mean {:.3}, {:.2} % within 1 of 65535\n\
          light       max {:.2}{}, mean {:.3}, {:.2} % within 2 of 255\n\
          colour      {:.2} dB, {:.2} dB against the unquantised truth\n\
@@ -78,6 +79,7 @@ fn summary(report: &Report) -> String {
         report.coverage_mismatch_px,
         report.coverage_mismatch_percent,
         report.visible_mismatch_px,
+        report.line_doubt_px,
         report.depth_max_lsb,
         at(report.depth_max_at),
         report.depth_mean_lsb,

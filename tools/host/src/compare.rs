@@ -1,6 +1,7 @@
 //! A frame in the shape that is held against the reference.
 
 use fixel::Scene;
+use fixel::render::Ids;
 use fixel_bake::Baked;
 use fixel_reference::{Frame, Lookup, NO_TRIANGLE, Path};
 
@@ -16,10 +17,15 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
     let triangle = planes::triangles(scene, options).into_iter().zip(&there);
     let palette = colours(scene, options.frame);
     let source = |id: u32| {
-        baked
-            .sources
-            .get(id as usize)
-            .map_or(NO_TRIANGLE, |s| s.triangle)
+        let sources = &baked.sources;
+        let (of, number) = if id & Ids::POINT != 0 {
+            (&sources.vertices, id - Ids::POINT)
+        } else if id & Ids::EDGE != 0 {
+            (&sources.edges, id - Ids::EDGE)
+        } else {
+            (&sources.triangles, id)
+        };
+        of.get(number as usize).map_or(NO_TRIANGLE, |s| s.triangle)
     };
     // What dithers is held against the reference as it is without.
     let index = planes::undithered(scene, options);

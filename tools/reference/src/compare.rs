@@ -21,6 +21,7 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
     let mut texel = Differences::default();
     let (mut missing_or_extra, mut visible, mut union, mut equal) = (0, 0, 0, 0);
     let mut mismatches = Vec::new();
+    let mut doubtful = vec![false; truth.pixels.len()];
     let through_palette = frame.lookup.indices(truth);
     for (i, reference_index) in through_palette.iter().enumerate() {
         let seen = Pixel::of(truth, frame, i);
@@ -30,6 +31,10 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
         }
         let kind = match seen {
             Pixel::Nothing | Pixel::Tie => None,
+            Pixel::Doubt => {
+                doubtful[i] = true;
+                None
+            }
             Pixel::Same => {
                 if let Some(hit) = &truth.pixels[i] {
                     depth.add(i, f64::from(frame.depth[i]) - hit.depth_lsb, 1.0);
@@ -57,7 +62,7 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
         }
     }
     let (mut quantised, mut all, mut covered) = (Psnr::default(), Psnr::default(), Psnr::default());
-    for (i, colour) in truth.colours().enumerate() {
+    for (i, colour) in truth.colours().enumerate().filter(|(i, _)| !doubtful[*i]) {
         let shown = frame.rgb[i].map(f64::from);
         quantised.add(
             shown,
@@ -79,6 +84,7 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
         depth_max_lsb: depth.max,
         depth_mean_lsb: depth.mean(),
         visible_mismatch_px: visible,
+        line_doubt_px: doubtful.into_iter().filter(|doubtful| *doubtful).count(),
         level_max: level.max,
         level_mean: level.mean(),
         rgb_psnr_db: quantised.db(),
@@ -114,6 +120,8 @@ pub(crate) enum Pixel {
     Same,
     /// Different triangles that are equally near.
     Tie,
+    /// Not the same, where rounding decides which pixel a line or a mark takes.
+    Doubt,
     /// Not the same.
     Mismatch(MismatchKind),
 }
@@ -121,6 +129,13 @@ pub(crate) enum Pixel {
 impl Pixel {
     /// Of pixel number `i`.
     pub fn of(truth: &Truth, frame: &Frame, i: usize) -> Self {
+        match Self::by_surface(truth, frame, i) {
+            Self::Mismatch(_) if truth.is_doubtful(i) => Self::Doubt,
+            pixel => pixel,
+        }
+    }
+
+    fn by_surface(truth: &Truth, frame: &Frame, i: usize) -> Self {
         match (&truth.pixels[i], frame_surface(frame, i)) {
             (None, None) => Self::Nothing,
             (Some(_), None) => Self::Mismatch(MismatchKind::Missing),

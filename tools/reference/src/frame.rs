@@ -246,14 +246,15 @@ impl Lookup {
     pub(crate) fn indices(&self, truth: &Truth) -> Vec<u8> {
         let bases: Vec<Nearest> = self.paths.iter().map(Nearest::of).collect();
         let index = |(i, pixel): (usize, &Option<Hit>)| match pixel {
-            Some(hit) => self.index(hit, &bases),
+            Some(hit) => self.index(hit, &bases, self.background[i]),
             None => self.background[i],
         };
         truth.pixels.iter().enumerate().map(index).collect()
     }
 
-    fn index(&self, hit: &Hit, bases: &[Nearest]) -> u8 {
+    fn index(&self, hit: &Hit, bases: &[Nearest], background: u8) -> u8 {
         let clear = match &self.paths[hit.material] {
+            _ if hit.hidden => background,
             Path::Level(indices) => indices[hit.level.round() as usize],
             Path::Colour => {
                 let step = |channel: f64| (15.0 * channel).round() as usize;
@@ -276,6 +277,7 @@ impl Lookup {
     /// The light of the truth as [`Frame::light`] has it, unrounded.
     pub(crate) fn light(&self, hit: &Hit) -> [f64; 3] {
         match self.paths[hit.material] {
+            _ if hit.hidden => [0.0; 3],
             Path::Level(_) | Path::Textured { .. } => [hit.level; 3],
             Path::Colour => hit.colour.map(|channel| 255.0 * channel),
         }

@@ -5,7 +5,7 @@ use crate::model::actor_matrix;
 use crate::ray::{self, Meeting, Ray};
 use crate::texture::{Texel, Texture};
 use crate::view::View;
-use fixel_scene::{Actor, Cull, Material, Mesh, Scene, Shading, Texturing};
+use fixel_scene::{Actor, Cull, Material, Mesh, Representation, Scene, Shading, Texturing};
 use glam::{DMat3, DVec2, DVec3};
 
 /// How a face is lit.
@@ -34,6 +34,9 @@ pub(crate) struct Face {
     pub cull: Cull,
     /// The texture on it.
     pub texture: Option<Box<Laid>>,
+    /// Of a hidden-line actor, which shows the background: how much deeper than it
+    /// is it lies, in units of the 16-bit depth buffer.
+    pub sunk_lsb: Option<f64>,
 }
 
 /// How a texture lies on a face.
@@ -90,8 +93,12 @@ impl Geometry {
         let mut faces = Vec::new();
         let mut first = vec![0];
         for (index, actor) in scene.actors.iter().enumerate() {
-            let given = (view, &lights, &textures[..]);
-            place(scene, given, (index, actor), frame, &mut faces);
+            let look = &actor.look;
+            let shown = [Representation::Surface, Representation::HiddenLine];
+            if shown.contains(&look.representation) {
+                let given = (view, &lights, &textures[..]);
+                place(scene, given, (index, actor), frame, &mut faces);
+            }
             first.push(faces.len());
         }
         Self {
@@ -147,6 +154,22 @@ impl Geometry {
                 .is_some_and(|(_, texel)| !texel.passes)
     }
 
+    /// An actor's vertices, to be lit one by one.
+    pub fn placing<'a>(
+        &'a self,
+        scene: &'a Scene,
+        view: &'a View,
+        actor: usize,
+        frame: u32,
+    ) -> Placing<'a> {
+        Placing::new(
+            scene,
+            (view, &self.lights, &self.textures[..]),
+            actor,
+            frame,
+        )
+    }
+
     /// One face by its actor and its triangle's index in the mesh.
     pub fn face(&self, actor: usize, triangle: usize) -> Option<&Face> {
         let range = *self.first.get(actor)?..*self.first.get(actor + 1)?;
@@ -155,18 +178,49 @@ impl Geometry {
 }
 
 /// Where an actor's faces come from.
-struct Placing<'a> {
+pub(crate) struct Placing<'a> {
     material: &'a Material,
-    mesh: &'a Mesh,
+    pub mesh: &'a Mesh,
     view: &'a View,
     lights: &'a Lights,
     textures: &'a [Texture],
     /// World places and unit normals of the mesh's vertices.
-    places: Vec<DVec3>,
+    pub places: Vec<DVec3>,
     normals: Vec<DVec3>,
+    /// The winding is turned round.
+    mirrored: bool,
 }
 
-impl Placing<'_> {
+impl<'a> Placing<'a> {
+    fn new(
+        scene: &'a Scene,
+        (view, lights, textures): (&'a View, &'a Lights, &'a [Texture]),
+        index: usize,
+        frame: u32,
+    ) -> Self {
+        let actor = &scene.actors[index];
+        let mesh: &Mesh = &scene.meshes[actor.mesh];
+        let matrix = actor_matrix(scene, index, frame);
+        let to_world = |p: &[f64; 3]| matrix.transform_point3(DVec3::from(*p));
+        let inverse_transpose = DMat3::from_mat4(matrix).inverse().transpose();
+        let normal = |n: &[f64; 3]| (inverse_transpose * DVec3::from(*n)).normalize_or_zero();
+        Self {
+            material: &scene.materials[actor.material],
+            mesh,
+            view,
+            lights,
+            textures,
+            places: mesh.positions.iter().map(to_world).collect(),
+            normals: mesh.normals.iter().map(normal).collect(),
+            mirrored: matrix.determinant() < 0.0,
+        }
+    }
+
+    /// Light at a vertex.
+    pub fn lit_vertex(&self, index: usize) -> Lit {
+        self.lights.shine(self.material, &self.vertex(index))
+    }
+
     /// The surface at a vertex.
     fn vertex(&self, index: usize) -> SurfacePoint {
         let place = self.places[index];
@@ -231,42 +285,46 @@ fn place(
     frame: u32,
     faces: &mut Vec<Face>,
 ) {
-    let mesh: &Mesh = &scene.meshes[actor.mesh];
-    let material = &scene.materials[actor.material];
-    let matrix = actor_matrix(scene, index, frame);
-    let mirrored = matrix.determinant() < 0.0;
-    let to_world = |p: &[f64; 3]| matrix.transform_point3(DVec3::from(*p));
-    let inverse_transpose = DMat3::from_mat4(matrix).inverse().transpose();
-    let normal = |n: &[f64; 3]| (inverse_transpose * DVec3::from(*n)).normalize_or_zero();
-    let placing = Placing {
-        material,
-        mesh,
-        view,
-        lights,
-        textures,
-        places: mesh.positions.iter().map(to_world).collect(),
-        normals: mesh.normals.iter().map(normal).collect(),
-    };
+    let placing = Placing::new(scene, (view, lights, textures), index, frame);
+    let Placing { mesh, material, .. } = placing;
+    let hidden = actor.look.representation == Representation::HiddenLine;
     let seen: Vec<DVec3> = placing.places.iter().map(|p| view.to_view(*p)).collect();
     let at_vertices: Vec<Lit> = match material.shading {
         Shading::Flat | Shading::Phong => Vec::new(),
         Shading::Gouraud => (0..mesh.positions.len())
-            .map(|i| lights.shine(material, &placing.vertex(i)))
+            .map(|i| placing.lit_vertex(i))
             .collect(),
     };
     for (triangle, corners) in mesh.triangles.iter().enumerate() {
         let [a, mut b, mut c] = corners.map(|i| i as usize);
-        if mirrored {
+        if placing.mirrored {
             std::mem::swap(&mut b, &mut c);
         }
         let corners = [a, b, c].map(|i| seen[i]);
+        let sunk = || sunk_lsb(view, corners, f64::from(actor.look.line_width));
         faces.push(Face {
             corners,
             shade: placing.shade([a, b, c], &at_vertices),
             actor: index,
             triangle,
-            cull: material.cull,
-            texture: placing.texture([a, b, c], corners),
+            // Hidden lines are seen from all sides.
+            cull: if hidden { Cull::None } else { material.cull },
+            texture: if hidden {
+                None
+            } else {
+                placing.texture([a, b, c], corners)
+            },
+            sunk_lsb: hidden.then(sunk),
         });
     }
+}
+
+/// How much deeper a face of a hidden-line actor lies; see
+/// [`Representation::HiddenLine`].
+fn sunk_lsb(view: &View, corners: [DVec3; 3], line_width: f64) -> f64 {
+    let [near, far] = view.range();
+    let depths = corners.map(|p| view.depth_lsb(p.z.clamp(near, far)));
+    let [low, high] = [f64::min, f64::max].map(|pick| depths.into_iter().reduce(pick));
+    let range = high.unwrap_or(0.0) - low.unwrap_or(0.0);
+    (view.slope_lsb(corners) * line_width / 2.0).min(range) + 1.0
 }

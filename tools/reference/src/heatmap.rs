@@ -76,7 +76,7 @@ fn coverage(pixel: &Pixel) -> [u8; 3] {
     match pixel {
         Pixel::Nothing => NEUTRAL,
         Pixel::Same => AGREE,
-        Pixel::Tie => TIE,
+        Pixel::Tie | Pixel::Doubt => TIE,
         Pixel::Mismatch(MismatchKind::Missing) => MISSING,
         Pixel::Mismatch(MismatchKind::Extra) => EXTRA,
         Pixel::Mismatch(MismatchKind::Visible) => VISIBLE,

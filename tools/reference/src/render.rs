@@ -3,6 +3,8 @@
 use crate::bvh::Bvh;
 use crate::fog::fog_part;
 use crate::geometry::{Face, Geometry};
+use crate::light::Lit;
+use crate::overlay;
 use crate::ray::Meeting;
 use crate::truth::{Hit, Truth};
 use crate::view::View;
@@ -66,6 +68,11 @@ pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sy
             }
             row_done();
         });
+    let overlays = windows
+        .iter()
+        .enumerate()
+        .map(|(i, _)| overlay::draw(scene, &windows[i..], frame, width, &mut pixels))
+        .collect();
     let materials = scene.materials.len();
     Truth {
         width,
@@ -77,6 +84,7 @@ pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sy
         joined: scene.display.stereo.joined(),
         materials,
         windows,
+        overlays,
     }
 }
 
@@ -89,13 +97,25 @@ struct Seen<'a> {
 }
 
 impl Seen<'_> {
+    /// Its depth, and that of the next face.
+    fn depths_lsb(&self, view: &View) -> (f64, f64) {
+        let own = view.depth_lsb(self.meeting.w) - self.face.sunk_lsb.unwrap_or(0.0);
+        let second = self.second.map_or(f64::NEG_INFINITY, |w| view.depth_lsb(w));
+        (own, second)
+    }
+
     fn hit(&self, geometry: &Geometry, view: &View, scene: &Scene, at: [u32; 2]) -> Hit {
         let (face, weights) = (self.face, self.meeting.weights);
         let material = scene.actors[face.actor].material;
-        let lit = geometry.lit(face, weights, &scene.materials[material], view);
+        let hidden = face.sunk_lsb.is_some();
+        let lit = if hidden {
+            Lit::default()
+        } else {
+            geometry.lit(face, weights, &scene.materials[material], view)
+        };
         let texel = geometry.texel(face, at, view);
         let colour = texel.map_or(lit.colour, |(_, texel)| lit.textured(texel.colour));
-        let depth_lsb = view.depth_lsb(self.meeting.w);
+        let (depth_lsb, second) = self.depths_lsb(view);
         Hit {
             depth_lsb,
             actor: face.actor,
@@ -107,9 +127,8 @@ impl Seen<'_> {
             colour: colour.into(),
             texel: texel.map(|(_, texel)| texel.colour.into()),
             texture_place: texel.map(|(place, _)| place.into()),
-            margin_lsb: self
-                .second
-                .map_or(f64::INFINITY, |w| depth_lsb - view.depth_lsb(w)),
+            margin_lsb: depth_lsb - second,
+            hidden,
         }
     }
 }
@@ -120,11 +139,28 @@ fn nearest<'a>(geometry: &'a Geometry, bvh: &Bvh, view: &View, at: [u32; 2]) -> 
     let [near, far] = view.range();
     let mut best: Option<(usize, Meeting)> = None;
     let mut second: Option<f64> = None;
+    // Faces that lie deeper than they are, by depth.
+    let mut sunk: Option<Seen<'a>> = None;
     bvh.walk(&ray, near, far, |index| {
         let face = &faces[index];
         if let Some(meeting) = face.seen(&ray, view)
             && !geometry.is_hole(face, at, view)
         {
+            if face.sunk_lsb.is_some() {
+                let seen = Seen {
+                    face,
+                    meeting,
+                    second: None,
+                };
+                let depth = seen.depths_lsb(view).0;
+                if sunk
+                    .as_ref()
+                    .is_none_or(|old| old.depths_lsb(view).0 < depth)
+                {
+                    sunk = Some(seen);
+                }
+                return second.unwrap_or(far);
+            }
             match best {
                 Some(old) if !in_front((index, meeting.w), (old.0, old.1.w)) => {
                     second = Some(second.map_or(meeting.w, |w| w.min(meeting.w)));
@@ -137,11 +173,18 @@ fn nearest<'a>(geometry: &'a Geometry, bvh: &Bvh, view: &View, at: [u32; 2]) -> 
         }
         second.unwrap_or(far)
     });
-    best.map(|(index, meeting)| Seen {
+    let surface = best.map(|(index, meeting)| Seen {
         face: &faces[index],
         meeting,
         second,
-    })
+    });
+    match (surface, sunk) {
+        (Some(surface), Some(sunk)) => {
+            let deeper = surface.depths_lsb(view).0 < sunk.depths_lsb(view).0;
+            Some(if deeper { sunk } else { surface })
+        }
+        (surface, sunk) => surface.or(sunk),
+    }
 }
 
 /// Whether face and distance `a` hide `b`.

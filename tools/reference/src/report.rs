@@ -31,6 +31,11 @@ pub struct Report {
     /// moved across the pixel's centre), or more than 1 depth unit behind the
     /// nearest.
     pub visible_mismatch_px: usize,
+    /// Pixels that differ where a line or a mark passes within 1/1024 pixel of
+    /// taking another pixel, so that rounding decides: left out of all other
+    /// figures.
+    #[serde(default)]
+    pub line_doubt_px: usize,
     /// Greatest difference of light, of 255, on agreeing pixels, against the
     /// truth's unrounded light: of the level where the material goes by level, of
     /// the worst of red, green and blue where it goes by colour (before either is

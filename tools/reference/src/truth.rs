@@ -1,6 +1,7 @@
 //! What is truly seen at each pixel.
 
 use crate::fog::fogged;
+use crate::overlay::Overlay;
 use crate::window::Window;
 use fixel_scene::{Fog, Rgb};
 
@@ -12,7 +13,8 @@ pub struct Hit {
     pub depth_lsb: f64,
     /// Index of the actor in the scene.
     pub actor: usize,
-    /// Index of the triangle in the actor's mesh.
+    /// Index of the triangle in the actor's mesh; of its edges, counted on from
+    /// the triangles, or of its vertices, counted on from the edges.
     pub triangle: usize,
     /// Index of the material in the scene.
     pub material: usize,
@@ -37,6 +39,9 @@ pub struct Hit {
     /// How much farther the next surface at this pixel is, in depth units;
     /// infinite if there is none.
     pub margin_lsb: f64,
+    /// It hides what is behind it and shows the background: a face of a
+    /// hidden-line actor. Without light; [`Hit::level`] and [`Hit::colour`] are 0.
+    pub hidden: bool,
 }
 
 /// The truth about a picture. Pixels go by rows from the top left.
@@ -56,6 +61,8 @@ pub struct Truth {
     pub(crate) materials: usize,
     /// Parts of the picture, later ones over earlier ones.
     pub(crate) windows: Vec<Window>,
+    /// Lines and marks of each.
+    pub(crate) overlays: Vec<Overlay>,
 }
 
 impl Truth {
@@ -91,14 +98,34 @@ impl Truth {
         self.pixels.iter().flatten().count()
     }
 
-    /// Depth in units of the 16-bit buffer at which the given triangle itself
-    /// is met at a pixel, seen or hidden; `None` if it is not met there.
+    /// Depth in units of the 16-bit buffer at which the given triangle (or edge, or
+    /// vertex; see [`Hit::triangle`]) itself is met at a pixel, seen or hidden; `None` if it is not met there.
     pub fn depth_of_lsb(&self, actor: usize, triangle: usize, x: u32, y: u32) -> Option<f64> {
-        let placed = |window| Some((window, Window::place(window, x, y)?));
-        let (window, [column, row]) = self.windows.iter().rev().find_map(placed)?;
-        let face = window.geometry.face(actor, triangle)?;
+        let (window, overlay, [column, row]) = self.window(x, y)?;
+        let Some(face) = window.geometry.face(actor, triangle) else {
+            return overlay.depth_lsb(actor, triangle, self.number(x, y));
+        };
         let meeting = face.seen(&window.view.ray(column, row), &window.view)?;
-        Some(window.view.depth_lsb(meeting.w))
+        Some(window.view.depth_lsb(meeting.w) - face.sunk_lsb.unwrap_or(0.0))
+    }
+
+    /// The part of the picture that is seen at a pixel, and the place in it.
+    fn window(&self, x: u32, y: u32) -> Option<(&Window, &Overlay, [u32; 2])> {
+        let all = self.windows.iter().zip(&self.overlays).rev();
+        let mut placed = all.filter_map(|(w, o)| Some((w, o, w.place(x, y)?)));
+        placed.next()
+    }
+
+    fn number(&self, x: u32, y: u32) -> usize {
+        (y * self.width + x) as usize
+    }
+
+    /// Whether rounding decides which of two pixels a line or a mark takes at pixel
+    /// number `i`.
+    pub(crate) fn is_doubtful(&self, i: usize) -> bool {
+        let (x, y) = (i as u32 % self.width, i as u32 / self.width);
+        let window = self.window(x, y);
+        window.is_some_and(|(_, overlay, _)| overlay.is_doubtful(i))
     }
 
     /// The unquantised colour of every pixel, background included, each
@@ -108,10 +135,13 @@ impl Truth {
             .iter()
             .zip(&self.background)
             .map(|(pixel, background)| match pixel {
-                Some(hit) => match &self.fog {
-                    Some(fog) => fogged(fog, hit.colour.into(), hit.fog).into(),
-                    None => hit.colour,
-                },
+                Some(hit) => {
+                    let own = if hit.hidden { *background } else { hit.colour };
+                    match &self.fog {
+                        Some(fog) => fogged(fog, own.into(), hit.fog).into(),
+                        None => own,
+                    }
+                }
                 None => *background,
             })
     }

@@ -134,6 +134,36 @@ impl View {
         }
     }
 
+    /// Whether things shrink with distance.
+    pub(crate) fn is_perspective(&self) -> bool {
+        self.perspective
+    }
+
+    /// A point in view space in pixels from the top left.
+    pub(crate) fn to_screen(&self, p: DVec3) -> [f64; 2] {
+        let w = if self.perspective { p.z } else { 1.0 };
+        let along = |v: f64, half: f64, size: f64| (v / w / half + 1.0) / 2.0 * size;
+        [
+            along(p.x, self.half[0], self.size_px[0]),
+            along(-p.y, self.half[1], self.size_px[1]),
+        ]
+    }
+
+    /// How much the depth of a triangle's plane changes a pixel: `|dz/dx| +
+    /// |dz/dy|`, in units of the 16-bit buffer.
+    pub(crate) fn slope_lsb(&self, [a, b, c]: [DVec3; 3]) -> f64 {
+        let normal = (b - a).cross(c - a);
+        let [near, far] = self.range;
+        let pixel = [0, 1].map(|axis| 2.0 * self.half[axis] / self.size_px[axis]);
+        let across = normal.x.abs() * pixel[0] + normal.y.abs() * pixel[1];
+        // 1 / w, or w, is a linear function of the place on the screen.
+        if self.perspective {
+            65535.0 * near * across / normal.dot(a).abs()
+        } else {
+            65535.0 / (far - near) * across / normal.z.abs()
+        }
+    }
+
     /// Whether a distance along the line of sight lies between the planes.
     pub(crate) fn in_range(&self, w: f64) -> bool {
         self.range[0] <= w && w <= self.range[1]

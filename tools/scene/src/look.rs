@@ -85,6 +85,15 @@ pub enum Mark {
         /// What part of the text's box is at the point.
         anchor: Anchor,
     },
+    /// Single bits, as a baked scene has them.
+    Bitmap {
+        /// Columns and rows.
+        size: [u16; 2],
+        /// From the point to the first column and row, in half pixels.
+        offset: [i16; 2],
+        /// Rows from the top, each from a byte's highest bit on.
+        rows: Vec<u8>,
+    },
 }
 
 /// A marker's shape. With `u` and `v` from -(size - 1) to size - 1 in steps of

@@ -21,7 +21,7 @@ pub const BENCH: [&str; 6] = [
 /// `scenes/`. Clipping, slivers, a parallel camera and more actors than the
 /// firmware keeps matrices for are among them; chains of parents, key frames and
 /// camera moves.
-pub const PARITY: [&str; 18] = [
+pub const PARITY: [&str; 21] = [
     "teapot",
     "bunny",
     "suzanne",
@@ -40,6 +40,9 @@ pub const PARITY: [&str; 18] = [
     "lights",
     "antialiased",
     "stereo_anaglyph",
+    "wireframe",
+    "hidden_line",
+    "lines_markers_text",
 ];
 
 /// Bench scenes that do not draw all of their workload yet, and what is

@@ -1,0 +1,224 @@
+//! Actors that are not drawn as surfaces: their edges, their vertices as marks, and
+//! the faces that hide what is behind them.
+
+use super::draw::Part;
+use super::paint::{Ids, Paint};
+use super::stats::FrameStats;
+use super::triangles::{Triangle, corner, triangles};
+use crate::clip::clip_line;
+use crate::frame::Target;
+use crate::line::{DepthRule, Line, Mark, draw_line, draw_mark};
+use crate::math::{FineDepth, SUBPX_BITS};
+use crate::raster::{Sides, draw_triangle};
+use crate::scene::layout::CHAINED;
+use crate::scene::{Look, Representation, Scene};
+use crate::vertex::{ScreenVertex, vertex};
+use crate::view::MeshletRows;
+
+/// When in a viewport something is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Pass {
+    /// Faces that show the background: before anything else, so that it is there.
+    Hidden,
+    /// Surfaces.
+    Surface,
+    /// Lines and marks that may be hidden.
+    Tested,
+    /// Lines and marks over everything, in the order of actors.
+    Over,
+}
+
+impl Pass {
+    /// All, in order.
+    pub(super) const ALL: [Self; 4] = [Self::Hidden, Self::Surface, Self::Tested, Self::Over];
+
+    /// Those in which an actor with `look` is drawn.
+    pub(super) fn of(look: Option<&Look>) -> &'static [Self] {
+        match look {
+            None => &[Self::Surface],
+            Some(look) => match (look.representation, look.depth_test) {
+                (Representation::HiddenLine, true) => &[Self::Hidden, Self::Tested],
+                (Representation::HiddenLine, false) => &[Self::Hidden, Self::Over],
+                (_, true) => &[Self::Tested],
+                (_, false) => &[Self::Over],
+            },
+        }
+    }
+}
+
+/// How an actor is drawn; `None`: as a surface.
+pub(super) fn look(scene: &Scene<'_>, actor: u16) -> Option<Look> {
+    if cfg!(feature = "lines") {
+        scene.look(actor)
+    } else {
+        None
+    }
+}
+
+/// Draws a meshlet's edges or vertices.
+#[inline(never)]
+pub(super) fn draw_look<P: Paint>(
+    paint: &P,
+    part: &Part<'_>,
+    look: &Look,
+    target: &mut Target<'_>,
+    stats: &mut FrameStats,
+) {
+    if look.representation == Representation::Points {
+        draw_points(paint, part, look, target, stats);
+    } else {
+        draw_edges(paint, part, look, target, stats);
+    }
+}
+
+fn rule(look: &Look) -> DepthRule {
+    DepthRule {
+        test: look.depth_test,
+        bias: look.bias,
+    }
+}
+
+fn draw_points<P: Paint>(
+    paint: &P,
+    part: &Part<'_>,
+    look: &Look,
+    target: &mut Target<'_>,
+    stats: &mut FrameStats,
+) {
+    let shades = part.scene.shade(&part.view.material);
+    let [width, height] = look.mark_size;
+    let mark = Mark {
+        width,
+        height,
+        offset: look.mark_offset,
+        bits: part.scene.mark(look),
+    };
+    stats.marks += u32::from(part.meshlet.vertices);
+    for number in 0..part.meshlet.vertices {
+        let point = corner(part.transformed, number);
+        if point.outside != 0 {
+            continue;
+        }
+        let ids = Ids {
+            actor: part.actor,
+            triangle: Ids::POINT | (part.meshlet.first_vertex + u32::from(number)),
+        };
+        let fill = paint.fill(shades, None, ids);
+        draw_mark(target, point, &mark, &rule(look), fill);
+    }
+}
+
+fn draw_edges<P: Paint>(
+    paint: &P,
+    part: &Part<'_>,
+    look: &Look,
+    target: &mut Target<'_>,
+    stats: &mut FrameStats,
+) {
+    let shades = part.scene.shade(&part.view.material);
+    let (edges, first) = part.scene.meshlet_edges(part.number);
+    stats.lines += edges.len() as u32;
+    for (number, [from, to]) in (first..).zip(edges) {
+        let indices = [*from, *to & !CHAINED];
+        let ends = indices.map(|index| corner(part.transformed, index));
+        let [a, b] = ends.map(|v| v.outside);
+        if a & b != 0 {
+            continue;
+        }
+        let clipped;
+        let vertices = if a | b == 0 {
+            ends
+        } else {
+            match clip_edge(part, indices, ends) {
+                Some(line) => clipped = line,
+                None => continue,
+            }
+            clipped.each_ref()
+        };
+        let line = Line {
+            vertices,
+            // What is left of a clipped line ends nowhere else.
+            ends: [true, b != 0 || to & CHAINED == 0],
+            width: look.line_width,
+            perspective: part.view.perspective,
+        };
+        let ids = Ids {
+            actor: part.actor,
+            triangle: Ids::EDGE | number,
+        };
+        draw_line(target, &line, &rule(look), paint.fill(shades, None, ids));
+    }
+}
+
+#[cold]
+fn clip_edge(
+    part: &Part<'_>,
+    indices: [u8; 2],
+    kept: [&ScreenVertex; 2],
+) -> Option<[ScreenVertex; 2]> {
+    let rows = MeshletRows::new(part.view, part.meshlet);
+    let mut ends = indices.map(|index| vertex(part.scene, &rows, part.view, part.meshlet, index));
+    for (end, kept) in ends.iter_mut().zip(kept) {
+        end.level = i32::from(kept.level.to_bits());
+    }
+    clip_line(part.view, ends)
+}
+
+/// Draws the faces of a hidden-line actor: they hide what is behind them, and lie
+/// deeper than they are so that they do not hide their own edges.
+#[inline(never)]
+pub(super) fn draw_hidden<P: Paint>(
+    paint: &P,
+    part: &Part<'_>,
+    look: &Look,
+    target: &mut Target<'_>,
+    stats: &mut FrameStats,
+) {
+    const BOTH: Sides = Sides {
+        front: true,
+        back: true,
+    };
+    let (scene, view) = (part.scene, part.view);
+    let width = i64::from(look.line_width);
+    triangles(
+        scene,
+        view,
+        part.meshlet,
+        part.transformed,
+        stats,
+        |triangle| {
+            let corners = sunk(&triangle, width);
+            let fill = || paint.hidden(part.ids(triangle.number));
+            draw_triangle(target, corners.each_ref(), BOTH, false, fill)
+        },
+    );
+}
+
+/// A triangle's corners, all deeper by `(|dz/dx| + |dz/dy|) * width / 2`, at most the
+/// range of their depths, and 1.
+fn sunk(triangle: &Triangle<'_>, width: i64) -> [ScreenVertex; 3] {
+    let [a, b, c] = triangle.corners;
+    let [za, zb, zc] = triangle.corners.map(|v| i64::from(v.z.to_bits()));
+    let range = za.max(zb).max(zc) - za.min(zb).min(zc);
+    let from_a = |v: &ScreenVertex| {
+        [
+            i64::from(v.x.to_bits()) - i64::from(a.x.to_bits()),
+            i64::from(v.y.to_bits()) - i64::from(a.y.to_bits()),
+        ]
+    };
+    let ([x1, y1], [x2, y2]) = (from_a(b), from_a(c));
+    let (z1, z2) = (zb - za, zc - za);
+    let area = (x1 * y2 - x2 * y1).abs();
+    // 25 bits and 21, twice; 12 bits a pixel, 4 of the width.
+    let across = (z1 * y2 - z2 * y1).abs() + (x1 * z2 - x2 * z1).abs();
+    let slope = (across * (width << (SUBPX_BITS - 1))).checked_div(area);
+    let deeper = slope.unwrap_or(range).min(range) + (1 << 4);
+    triangle.corners.map(|v| {
+        // What just rounds to 1 is the least depth.
+        let z = (i64::from(v.z.to_bits()) - deeper).max(9);
+        ScreenVertex {
+            z: FineDepth::from_bits(z as u32),
+            ..*v
+        }
+    })
+}
