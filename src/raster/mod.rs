@@ -21,4 +21,4 @@ mod triangle;
 
 pub use span::Fill;
 pub use surface::{Corner, MOST_ATTRIBUTES, RUN_FRACTION, Run, SurfaceKind, Values, draw_surface};
-pub use triangle::{Drawn, Sides, draw_triangle};
+pub use triangle::{Drawn, Sides, draw_depth, draw_triangle};

@@ -130,7 +130,8 @@ fn fill_triangle(
                 index,
             },
         ),
-        Fill::Depth => scan(target, &shape, &mut DepthOnly { shape: &shape }),
+        // Has a function of its own, so that this one stays as fast as it is.
+        Fill::Depth => {}
         Fill::Gouraud(shades) if shape.perspective => {
             scan(
                 target,
@@ -150,6 +151,24 @@ fn fill_triangle(
             },
         ),
     }
+}
+
+/// Draws a triangle's depth alone if it shows one of `sides`: no index changes.
+#[inline(never)]
+pub fn draw_depth(target: &mut Target<'_>, triangle: [&ScreenVertex; 3], sides: Sides) -> Drawn {
+    let (area, rows) = match shown(target, triangle, sides) {
+        Ok(shown) => shown,
+        Err(drawn) => return drawn,
+    };
+    let (sorted, area) = sort(triangle.map(|v| (v, ())), area);
+    let shape = Shape {
+        sorted: sorted.map(|(v, ())| v),
+        area,
+        rows,
+        perspective: false,
+    };
+    scan(target, &shape, &mut DepthOnly { shape: &shape });
+    Drawn::Filled
 }
 
 /// A vertex and what goes with it.

@@ -9,7 +9,7 @@ use crate::clip::clip_line;
 use crate::frame::Target;
 use crate::line::{DepthRule, Line, Mark, draw_line, draw_mark};
 use crate::math::{FineDepth, SUBPX_BITS};
-use crate::raster::{Sides, draw_triangle};
+use crate::raster::{Fill, Sides, draw_depth, draw_triangle};
 use crate::scene::layout::CHAINED;
 use crate::scene::{Look, Representation, Scene};
 use crate::vertex::{ScreenVertex, vertex};
@@ -188,8 +188,11 @@ pub(super) fn draw_hidden<P: Paint>(
         stats,
         |triangle| {
             let corners = sunk(&triangle, width);
-            let fill = || paint.hidden(part.ids(triangle.number));
-            draw_triangle(target, corners.each_ref(), BOTH, false, fill)
+            let fill = paint.hidden(part.ids(triangle.number));
+        if let Fill::Depth = fill {
+            return draw_depth(target, corners.each_ref(), BOTH);
+        }
+            draw_triangle(target, corners.each_ref(), BOTH, false, || fill)
         },
     );
 }
