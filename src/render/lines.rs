@@ -189,9 +189,9 @@ pub(super) fn draw_hidden<P: Paint>(
         |triangle| {
             let corners = sunk(&triangle, width);
             let fill = paint.hidden(part.ids(triangle.number));
-        if let Fill::Depth = fill {
-            return draw_depth(target, corners.each_ref(), BOTH);
-        }
+            if let Fill::Depth = fill {
+                return draw_depth(target, corners.each_ref(), BOTH);
+            }
             draw_triangle(target, corners.each_ref(), BOTH, false, || fill)
         },
     );

@@ -10,6 +10,7 @@ use crate::instance::instances;
 use crate::light::{light, material};
 use crate::look::looks;
 use crate::mesh::{Parts, Source, Sources};
+use crate::not_yet;
 use crate::palette::tables;
 use crate::placement::placed;
 use crate::records::{Instances, actors, header};
@@ -81,6 +82,7 @@ impl Baked {
 /// If the scene has more of something than the format holds, a number out of
 /// its range, or asks for what the renderer cannot do yet.
 pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
+    not_yet::check(scene)?;
     at_most("actors", scene.actors.len(), 65535)?;
     at_most("materials", scene.materials.len(), 65535)?;
     at_most("lights with a direction", scene.lights.len(), LIGHTS)?;

@@ -15,6 +15,7 @@ mod look;
 mod mesh;
 mod meshlet;
 mod normal;
+mod not_yet;
 mod oklab;
 mod palette;
 mod placement;
