@@ -270,7 +270,7 @@ fn picking() {
                 }
                 Some(picked) => {
                     assert_eq!(frame.actor[at], picked.actor + 1, "{name} at {x}, {y}");
-                    let source = baked.sources[picked.triangle as usize];
+                    let source = baked.sources.triangles[picked.triangle as usize];
                     assert_eq!(frame.triangle[at], source.triangle, "{name} at {x}, {y}");
                     assert_eq!(frame.depth[at], picked.depth, "{name} at {x}, {y}");
                     hits += 1;
