@@ -89,7 +89,9 @@ impl Part<'_> {
     }
 }
 
-/// A meshlet whose triangles have one light level, or one at each corner.
+/// A meshlet whose triangles have one light level, or one at each corner. Kept out of
+/// its caller, whose other branches would take registers from it.
+#[inline(never)]
 fn draw_plain_meshlet<P: Paint>(
     paint: &P,
     part: &Part<'_>,
