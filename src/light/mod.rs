@@ -9,7 +9,7 @@ mod model;
 mod normal;
 mod patch;
 
-pub use model::{Lit, SurfaceLights};
+pub use model::{Lit, Parts, SurfaceLights, sum};
 pub use normal::{face_normal, vertex_normal};
 pub use patch::Patch;
 

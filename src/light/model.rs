@@ -14,6 +14,24 @@ use crate::view::{ActorView, EyeInGrid};
 /// goes by level the first is the level.
 pub type Lit = [u16; 3];
 
+/// Light that a surface gives back.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Parts {
+    /// In its own colour.
+    pub body: Lit,
+    /// Highlights.
+    pub gloss: Lit,
+}
+
+/// The sum of two lights, each channel held to what it holds.
+pub fn sum(a: Lit, b: Lit) -> Lit {
+    let mut sum = [0; 3];
+    for (sum, (a, b)) in sum.iter_mut().zip(a.into_iter().zip(b)) {
+        *sum = (a + b).min(FULL as u16);
+    }
+    sum
+}
+
 /// The most that a channel holds.
 const FULL: u32 = 255 << 6;
 /// 1 as light sums have it; they are held to 64.
@@ -161,8 +179,19 @@ impl SurfaceLights {
 
     /// Light at `place` on a surface with `normal`, whose ambient and diffuse colours
     /// are multiplied by `tint` if there is one.
-    #[inline(never)]
     pub fn shine(&self, normal: ShortUnit, place: [i32; 3], tint: Option<[u8; 3]>) -> Lit {
+        let Parts { body, gloss } = self.parts(normal, place, tint);
+        sum(body, gloss)
+    }
+
+    /// Whether there are highlights.
+    pub fn is_shiny(&self) -> bool {
+        self.shiny
+    }
+
+    /// The same, highlights by themselves: a texture leaves them as they are.
+    #[inline(never)]
+    pub fn parts(&self, normal: ShortUnit, place: [i32; 3], tint: Option<[u8; 3]>) -> Parts {
         let (mut diffuse, mut specular) = ([0u32; 3], [0u32; 3]);
         for source in self.sources.iter().take(self.count) {
             let Some((towards, factor)) = source.reaches(place) else {
@@ -192,8 +221,8 @@ impl SurfaceLights {
             diffuse: kd,
             specular: ks,
         } = self.channels;
-        let mut lit = [0; 3];
-        for (which, lit) in lit.iter_mut().enumerate() {
+        let (mut body, mut gloss) = ([0; 3], [0; 3]);
+        for (which, (body, gloss)) in body.iter_mut().zip(&mut gloss).enumerate() {
             let of = |all: [u16; 3]| u32::from(all.get(which).copied().unwrap_or(0));
             let sum = |all: [u32; 3]| all.get(which).copied().unwrap_or(0).min(MOST);
             let mut level = of(constant) + part(of(kd), sum(diffuse));
@@ -202,12 +231,12 @@ impl SurfaceLights {
                 // 255 is 1.
                 level = (level.min(FULL << 6) * (tint + (tint >> 7)) + (1 << 7)) >> 8;
             }
+            *body = level.min(FULL) as u16;
             if self.shiny {
-                level += part(of(ks), sum(specular));
+                *gloss = part(of(ks), sum(specular)).min(FULL) as u16;
             }
-            *lit = level.min(FULL) as u16;
         }
-        lit
+        Parts { body, gloss }
     }
 
     fn towards_eye(&self, place: [i32; 3]) -> ShortUnit {

@@ -56,17 +56,23 @@ pub struct Run<'t> {
 
 impl Run<'_> {
     /// Goes through the pixels that are nearer than what stands there. `shade` gets
-    /// the column, the attributes and the index there, and gives the new one; the
-    /// depth follows if `solid`.
+    /// the pixel's number in the run, the first `N` attributes and the index there,
+    /// and gives the new one; the depth follows if `solid`.
     #[inline(always)]
-    pub fn draw(&mut self, solid: bool, mut shade: impl FnMut(i32, &Values, u8) -> Option<u8>) {
+    pub fn draw<const N: usize>(
+        &mut self,
+        solid: bool,
+        mut shade: impl FnMut(i32, &[i32; N], u8) -> Option<u8>,
+    ) {
         let (mut z, dz) = self.depth;
-        let [mut column, _] = self.place;
-        let mut values = self.from;
-        for (pixel, depth) in self.indices.iter_mut().zip(self.depths.iter_mut()) {
+        let (mut values, mut steps) = ([0; N], [0; N]);
+        values.iter_mut().zip(self.from).for_each(|(v, c)| *v = c);
+        steps.iter_mut().zip(self.step).for_each(|(v, c)| *v = c);
+        let pixels = self.indices.iter_mut().zip(self.depths.iter_mut());
+        for ((pixel, depth), number) in pixels.zip(0..) {
             let here = (z >> 16) as Depth;
             if here > *depth
-                && let Some(index) = shade(column, &values, *pixel)
+                && let Some(index) = shade(number, &values, *pixel)
             {
                 *pixel = index;
                 if solid {
@@ -74,8 +80,7 @@ impl Run<'_> {
                 }
             }
             z = z.wrapping_add_signed(dz);
-            column += 1;
-            for (value, step) in values.iter_mut().zip(self.step) {
+            for (value, step) in values.iter_mut().zip(steps) {
                 *value = value.wrapping_add(step);
             }
         }

@@ -18,7 +18,7 @@ mod viewports;
 mod visible_list;
 
 pub use frame::{palette, render_frame, render_frame_with, render_rows_with};
-pub use paint::{Ids, Paint, PaintActor, PaintLight, PaintTriangle, Shaded};
+pub use paint::{Ids, Paint, PaintActor, PaintLight, PaintTexel, PaintTriangle, Shaded};
 pub use pick::{Picked, pick};
 pub use scratch::{Scratch, Workspace};
 pub use stats::FrameStats;

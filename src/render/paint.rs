@@ -1,11 +1,10 @@
 //! What a pixel's index means: the scene's colours, or for picking, measuring
 //! and debugging something else, through the same kernels.
 
-use crate::light::Lit;
 use crate::math::Level;
 use crate::raster::Fill;
 use crate::scene::Dither;
-use crate::shade::{Lookup, dithered};
+use crate::shade::{Pixel, dithered};
 
 /// Whose pixel it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,8 +38,8 @@ pub trait Paint {
     /// The index where nothing is drawn, given the scene's.
     fn background(&self, index: u8) -> u8;
 
-    /// The index of a surface's pixel at a screen column and row, for the light there.
-    fn surface(&self, lookup: Lookup<'_>, lit: Lit, place: [i32; 2], ids: Ids) -> u8;
+    /// The index of a surface's pixel.
+    fn surface(&self, pixel: &Pixel<'_>, ids: Ids) -> u8;
 }
 
 /// The scene as it looks.
@@ -73,8 +72,8 @@ impl Paint for Shaded {
     }
 
     #[inline(always)]
-    fn surface(&self, lookup: Lookup<'_>, lit: Lit, place: [i32; 2], _: Ids) -> u8 {
-        dithered(lookup, lit, self.dither, place)
+    fn surface(&self, pixel: &Pixel<'_>, _: Ids) -> u8 {
+        dithered(pixel, self.dither)
     }
 }
 
@@ -115,9 +114,38 @@ impl Paint for PaintLight {
         0
     }
 
-    fn surface(&self, _: Lookup<'_>, lit: Lit, _: [i32; 2], _: Ids) -> u8 {
-        let channel = lit.get(usize::from(self.channel)).copied();
+    fn surface(&self, pixel: &Pixel<'_>, _: Ids) -> u8 {
+        let channel = pixel.lit.get(usize::from(self.channel)).copied();
         ((channel.unwrap_or(0) + 32) >> 6) as u8
+    }
+}
+
+/// One byte of where in a texture a pixel is, in 2^-16 texels of the picture; 0 where
+/// there is no texture.
+#[derive(Clone, Copy, Debug)]
+pub struct PaintTexel {
+    /// 0: across, 1: down.
+    pub axis: u8,
+    /// 0: the lowest byte.
+    pub byte: u8,
+}
+
+impl Paint for PaintTexel {
+    fn fill<'a>(&self, _: &'a [u8; 256], _: Option<Level>, _: Ids) -> Fill<'a> {
+        Fill::Flat(0)
+    }
+
+    fn hidden<'a>(&self, _: Ids) -> Fill<'a> {
+        Fill::Flat(0)
+    }
+
+    fn background(&self, _: u8) -> u8 {
+        0
+    }
+
+    fn surface(&self, pixel: &Pixel<'_>, _: Ids) -> u8 {
+        let place = pixel.texel.get(usize::from(self.axis)).copied();
+        byte_of(place.unwrap_or(0) as u32, self.byte)
     }
 }
 
@@ -141,7 +169,7 @@ impl Paint for PaintActor {
         0
     }
 
-    fn surface(&self, _: Lookup<'_>, _: Lit, _: [i32; 2], ids: Ids) -> u8 {
+    fn surface(&self, _: &Pixel<'_>, ids: Ids) -> u8 {
         byte_of(u32::from(ids.actor), self.byte)
     }
 }
@@ -167,7 +195,7 @@ impl Paint for PaintTriangle {
         0
     }
 
-    fn surface(&self, _: Lookup<'_>, _: Lit, _: [i32; 2], ids: Ids) -> u8 {
+    fn surface(&self, _: &Pixel<'_>, ids: Ids) -> u8 {
         byte_of(ids.triangle, self.byte)
     }
 }

@@ -1,18 +1,21 @@
 //! Meshlets of materials that need more than a level a corner.
 
 use super::draw::Part;
-use super::paint::Paint;
+use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
 use super::triangles::{Triangle, triangles};
 use crate::clip::WEIGHT_BITS;
 use crate::frame::Target;
-use crate::light::{Lit, Patch, SurfaceLights, face_normal};
+use crate::light::{Parts, Patch, SurfaceLights, face_normal, sum};
+use crate::math::FineLevel;
 use crate::raster::{
-    Corner, Fill, MOST_ATTRIBUTES, SurfaceKind, Values, draw_surface, draw_triangle,
+    Corner, MOST_ATTRIBUTES, Run, SurfaceKind, Values, draw_surface, draw_triangle,
 };
-use crate::shade::{Attributes, Lighting, Lookup, Surface};
+use crate::scene::NO_TEXEL;
+use crate::scene::layout::{COLOURS, TEXTURE_SHADES};
+use crate::shade::{Attributes, Lighting, Lookup, Pixel, Sampler, Surface, on_texel};
 use crate::vertex::{surface_point, vertex};
-use crate::view::MeshletRows;
+use crate::view::{MeshletRows, round_level};
 
 /// Draws the triangles of such a meshlet.
 #[inline(never)]
@@ -27,35 +30,43 @@ pub(super) fn draw_surface_meshlet<P: Paint>(
     let patch = Patch::new(meshlet, &view.mesh);
     let tinted = !scene.meshlet_colours(meshlet, &view.mesh).is_empty();
     let attributes = Attributes::new(material, tinted);
-    // Corners are lit already, if they are what is lit.
-    let lit_here = matches!(attributes.lighting, Lighting::Face | Lighting::Pixel);
+    // Corners are lit already, if they are what is lit and highlights are not asked
+    // for by themselves.
+    let lit_here = matches!(attributes.lighting, Lighting::Face | Lighting::Pixel)
+        || attributes.textured && attributes.lighting == Lighting::Colour;
     let lights = lit_here.then(|| SurfaceLights::new(scene, view, &patch));
     let surface = Surface {
         attributes,
         lights: lights.as_ref(),
     };
+    let sampler = sampler(part);
+    let in_space = sampler.as_ref().is_none_or(|s| s.texture.perspective);
     let corners = CornerSource {
         part,
         patch,
         rows: MeshletRows::new(view, meshlet),
-        attributes: surface.attributes,
+        surface: &surface,
+        perspective: view.perspective && in_space,
     };
-    let lookup = if material.coloured {
-        Lookup::Colours(scene.colours())
+    let way = if material.coloured {
+        Way::Colours(scene.colours())
+    } else if attributes.textured {
+        Way::Texels(scene.texture_shades(material))
     } else {
-        Lookup::Levels(scene.shade(material))
+        Way::Levels(scene.shade(material))
     };
     let kind = SurfaceKind {
-        attributes: surface.attributes.count(),
-        footprint: false,
+        attributes: attributes.count(),
+        footprint: sampler.as_ref().is_some_and(|s| s.texture.copies > 1),
     };
     let sides = part.sides();
     triangles(scene, view, meshlet, part.transformed, stats, |triangle| {
         let ids = part.ids(triangle.number);
-        if attributes.lighting == Lighting::Face && !material.coloured {
+        if let (Way::Levels(shades), Lighting::Face) = (way, attributes.lighting) {
             let fill = || {
-                let lit = corners.face(&triangle, &surface);
-                Fill::Flat(paint.surface(lookup, lit, [0; 2], ids))
+                let Parts { body, gloss } = corners.face(&triangle);
+                let [level, ..] = sum(body, gloss);
+                paint.fill(shades, Some(round_level(FineLevel::from_bits(level))), ids)
             };
             return draw_triangle(target, triangle.corners, sides, view.perspective, fill);
         }
@@ -67,15 +78,105 @@ pub(super) fn draw_surface_meshlet<P: Paint>(
             kind,
             &mut || corners.of(&triangle),
             &mut |run| {
-                let face = *face.get_or_insert_with(|| corners.face(&triangle, &surface));
-                let [_, row] = run.place;
-                run.draw(true, |column, values, _| {
-                    let lit = surface.light(values, face);
-                    Some(paint.surface(lookup, lit, [column, row], ids))
-                });
+                let face = *face.get_or_insert_with(|| corners.face(&triangle));
+                draw_run(paint, ids, way, &surface, sampler.as_ref(), face, run);
             },
         )
     });
+}
+
+/// The way from light to an index.
+#[derive(Clone, Copy)]
+enum Way<'a> {
+    Levels(&'a [u8; 256]),
+    Colours(&'a [u8; COLOURS]),
+    Texels(&'a [u8; TEXTURE_SHADES]),
+}
+
+/// The material's texture on the mesh.
+fn sampler<'a>(part: &Part<'a>) -> Option<Sampler<'a>> {
+    if !cfg!(feature = "texture") {
+        return None;
+    }
+    let texture = part.scene.texture(part.view.material.texture?)?;
+    Some(Sampler::new(
+        part.scene,
+        texture,
+        part.view.mesh.coordinates?,
+    ))
+}
+
+/// Draws a run of pixels.
+fn draw_run<P: Paint>(
+    paint: &P,
+    ids: Ids,
+    way: Way<'_>,
+    surface: &Surface<'_>,
+    sampler: Option<&Sampler<'_>>,
+    face: Parts,
+    run: &mut Run<'_>,
+) {
+    let [left, row] = run.place;
+    let index = |lookup, number, lit, texel| {
+        let place = [left + number, row];
+        let pixel = Pixel {
+            lookup,
+            lit,
+            place,
+            texel,
+        };
+        Some(paint.surface(&pixel, ids))
+    };
+    match (sampler, way) {
+        (Some(sampler), Way::Texels(shades)) => {
+            let path = sampler.path(run);
+            let texel = |number| {
+                let at = path.at(number);
+                let texel = sampler.nearest(&path, at);
+                (texel != NO_TEXEL).then(|| (path.in_picture(at), texel))
+            };
+            match surface.attributes.lighting {
+                Lighting::Face => run.draw::<0>(true, |number, _, _| {
+                    let (at, base) = texel(number)?;
+                    index(Lookup::Texel(shades, base), number, face.body, at)
+                }),
+                Lighting::Level => run.draw::<3>(true, |number, values, _| {
+                    let (at, base) = texel(number)?;
+                    let lit = surface.light(values, face).body;
+                    index(Lookup::Texel(shades, base), number, lit, at)
+                }),
+                Lighting::Colour | Lighting::Pixel => {
+                    run.draw::<MOST_ATTRIBUTES>(true, |number, values, _| {
+                        let (at, base) = texel(number)?;
+                        let lit = surface.light(values, face).body;
+                        index(Lookup::Texel(shades, base), number, lit, at)
+                    });
+                }
+            }
+        }
+        (Some(sampler), Way::Colours(colours)) => {
+            let path = sampler.path(run);
+            run.draw::<MOST_ATTRIBUTES>(true, |number, values, _| {
+                let at = path.at(number);
+                let texel = sampler.colour(&path, at)?;
+                let lit = on_texel(surface.light(values, face), texel);
+                index(Lookup::Colours(colours), number, lit, path.in_picture(at))
+            });
+        }
+        (_, Way::Colours(colours)) => {
+            run.draw::<9>(true, |number, values, _| {
+                let Parts { body, gloss } = surface.light(values, face);
+                index(Lookup::Colours(colours), number, sum(body, gloss), [0; 2])
+            });
+        }
+        (_, Way::Levels(shades)) => {
+            run.draw::<9>(true, |number, values, _| {
+                let Parts { body, gloss } = surface.light(values, face);
+                index(Lookup::Levels(shades), number, sum(body, gloss), [0; 2])
+            });
+        }
+        (None, Way::Texels(_)) => {}
+    }
 }
 
 /// Where corners get their attributes.
@@ -83,7 +184,9 @@ struct CornerSource<'a> {
     part: &'a Part<'a>,
     patch: Patch,
     rows: MeshletRows,
-    attributes: Attributes,
+    surface: &'a Surface<'a>,
+    /// Whether attributes are interpolated in space.
+    perspective: bool,
 }
 
 impl CornerSource<'_> {
@@ -91,63 +194,75 @@ impl CornerSource<'_> {
     fn of(&self, triangle: &Triangle<'_>) -> [Corner; 3] {
         let (view, indices) = (self.part.view, triangle.indices);
         let whole = indices.map(|index| self.attributes(index));
-        match triangle.cuts {
-            None => {
-                let mut corners = whole.map(|attributes| Corner {
-                    distance: 1,
-                    attributes,
-                });
-                if view.perspective {
-                    for (corner, index) in corners.iter_mut().zip(indices) {
-                        let (scene, meshlet) = (self.part.scene, self.part.meshlet);
-                        let vertex = vertex(scene, &self.rows, view, meshlet, *index);
-                        corner.distance = vertex.distance;
-                    }
-                }
-                corners
-            }
-            Some(cuts) => cuts.map(|cut| Corner {
-                distance: if view.perspective { cut.distance } else { 1 },
-                attributes: weighted(&whole, cut.weights),
-            }),
-        }
+        let Some(cuts) = triangle.cuts else {
+            return whole.map(|(index, attributes)| Corner {
+                distance: if self.perspective {
+                    let (scene, meshlet) = (self.part.scene, self.part.meshlet);
+                    vertex(scene, &self.rows, view, meshlet, index).distance
+                } else {
+                    1
+                },
+                attributes,
+            });
+        };
+        let whole = whole.map(|(_, attributes)| attributes);
+        cuts.map(|cut| Corner {
+            // What is cut is interpolated in space even if the rest is not: along
+            // the screen there is nothing right for it.
+            distance: if view.perspective { cut.distance } else { 1 },
+            attributes: weighted(&whole, cut.weights),
+        })
     }
 
-    /// A vertex's attributes.
-    fn attributes(&self, index: u8) -> Values {
+    /// A vertex and its attributes.
+    fn attributes(&self, index: u8) -> (u8, Values) {
         let mut values = [0; MOST_ATTRIBUTES];
+        let mut slots = values.iter_mut();
+        let mut put = |list: &[i32]| slots.by_ref().zip(list).for_each(|(slot, v)| *slot = *v);
         let part = self.part;
-        match self.attributes.lighting {
+        let attributes = self.surface.attributes;
+        if attributes.textured {
+            let all = part
+                .scene
+                .meshlet_coordinates(part.meshlet, &part.view.mesh);
+            let own = all.get(usize::from(index)).copied().unwrap_or_default();
+            put(&own.map(|c| i32::from(i16::from_le(c))));
+        }
+        match attributes.lighting {
             Lighting::Face => {}
             Lighting::Level => {
                 let kept = part.transformed.vertices.get(usize::from(index));
-                let [level, ..] = &mut values;
-                *level = kept.map_or(0, |v| i32::from(v.level.to_bits()));
+                put(&[kept.map_or(0, |v| i32::from(v.level.to_bits()))]);
             }
-            Lighting::Colour => {
-                let colour = part.transformed.colour(index);
-                values.iter_mut().zip(colour).for_each(|(v, c)| *v = c);
+            Lighting::Colour if attributes.textured => {
+                let (place, normal) = self.point(index);
+                let lights = self.surface.lights;
+                let parts = lights.map(|l| l.parts(normal, place, self.tint(index)));
+                let Parts { body, gloss } = parts.unwrap_or_default();
+                put(&body.map(i32::from));
+                if attributes.glossy {
+                    put(&gloss.map(i32::from));
+                }
             }
+            Lighting::Colour => put(&part.transformed.colour(index)),
             Lighting::Pixel => {
-                let ([x, y, z], [nx, ny, nz]) = self.point(index);
-                let [r, g, b] = match self.tint(index) {
-                    Some(tint) if self.attributes.tinted => tint.map(|c| i32::from(c) << 6),
-                    _ => [0; 3],
-                };
-                let all = [nx, ny, nz, x, y, z, r, g, b];
-                values.iter_mut().zip(all).for_each(|(v, c)| *v = c);
+                let (place, normal) = self.point(index);
+                put(&normal);
+                put(&place);
+                if attributes.tinted {
+                    let tint = self.tint(index).unwrap_or([255; 3]);
+                    put(&tint.map(|c| i32::from(c) << 6));
+                }
             }
         }
-        values
+        (index, values)
     }
 
     /// Light of a face, at its middle.
-    fn face(&self, triangle: &Triangle<'_>, surface: &Surface<'_>) -> Lit {
-        let Some(lights) = surface
-            .lights
-            .filter(|_| self.attributes.lighting == Lighting::Face)
-        else {
-            return [0; 3];
+    fn face(&self, triangle: &Triangle<'_>) -> Parts {
+        let face = self.surface.attributes.lighting == Lighting::Face;
+        let Some(lights) = self.surface.lights.filter(|_| face) else {
+            return Parts::default();
         };
         let part = self.part;
         let normals = part
@@ -172,7 +287,7 @@ impl CornerSource<'_> {
         let third = |c: i32| (c * 21845 + (1 << 15)) >> 16;
         let tint = tint.map(|sums| sums.map(|c| third(c.into()) as u8));
         let normal = face_normal(u32::from_le(packed));
-        lights.shine(normal, middle.map(third), tint)
+        lights.parts(normal, middle.map(third), tint)
     }
 
     /// Place and normal of a vertex.

@@ -3,7 +3,7 @@
 use super::viewport::Gradient;
 use super::{
     Actor, ColourFormat, Dither, DitherPattern, Header, Light, Material, Mesh, Meshlet, Record,
-    Scene, layout,
+    Scene, Texture, layout,
 };
 
 impl<'a> Scene<'a> {
@@ -121,6 +121,7 @@ impl<'a> Scene<'a> {
             face_normals: false,
             fine: None,
             colours: None,
+            coordinates: None,
         })
     }
 
@@ -149,6 +150,7 @@ impl<'a> Scene<'a> {
             + size_of_val(self.vertex_colours)
             + size_of_val(self.edges)
             + size_of_val(self.meshlet_edges)
+            + size_of_val(self.coordinates)
     }
 
     /// A meshlet by its place in the scene's list.
@@ -178,6 +180,45 @@ impl<'a> Scene<'a> {
             meshlet.first_vertex.wrapping_add(offset) as usize,
             meshlet.vertices,
         )
+    }
+
+    /// A texture; an index out of range gives none.
+    pub fn texture(&self, index: u8) -> Option<Texture> {
+        read(self.textures, usize::from(index))
+    }
+
+    /// Number of textures.
+    pub fn texture_count(&self) -> usize {
+        self.textures.len()
+    }
+
+    /// The texels of all textures: each the number of a base colour, or
+    /// [`NO_TEXEL`](super::NO_TEXEL).
+    pub fn texels(&self) -> &'a [u8] {
+        self.texels
+    }
+
+    /// Red, green, blue of the base colours of all textures.
+    pub fn bases(&self) -> &'a [[u8; 3]] {
+        self.bases
+    }
+
+    /// Palette index by level (64 of them, the level's highest 6 bits) and base colour,
+    /// for one material that has a texture and goes by level.
+    pub fn texture_shades(&self, material: &Material) -> &'a [u8; layout::TEXTURE_SHADES] {
+        const BLACK: &[u8; layout::TEXTURE_SHADES] = &[0; layout::TEXTURE_SHADES];
+        let shade = usize::from(material.shade);
+        self.texture_shades.get(shade).unwrap_or(BLACK)
+    }
+
+    /// Texture coordinates of a meshlet's vertices, little-endian; see
+    /// [`Coordinates`](super::Coordinates); empty if its mesh has none.
+    pub fn meshlet_coordinates(&self, meshlet: &Meshlet, mesh: &Mesh) -> &'a [[i16; 2]] {
+        let Some(coordinates) = mesh.coordinates else {
+            return &[];
+        };
+        let first = meshlet.first_vertex.wrapping_add(coordinates.offset);
+        run(self.coordinates, first as usize, meshlet.vertices)
     }
 
     /// Red, green and blue of a meshlet's vertices, and a byte of 0; empty if its

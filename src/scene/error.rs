@@ -31,6 +31,11 @@ pub enum Section {
     Marks,
     Edges,
     MeshletEdges,
+    Coordinates,
+    Textures,
+    Texels,
+    Bases,
+    TextureShades,
 }
 
 impl Section {
@@ -61,6 +66,11 @@ impl Section {
         Self::Marks,
         Self::Edges,
         Self::MeshletEdges,
+        Self::Coordinates,
+        Self::Textures,
+        Self::Texels,
+        Self::Bases,
+        Self::TextureShades,
     ];
 }
 
@@ -118,6 +128,10 @@ pub enum Field {
     Representation,
     Bias,
     Mark,
+    Coordinates,
+    Texture,
+    Size,
+    Texel,
 }
 
 /// Why a blob was refused. Nothing of a refused blob is used.

@@ -67,6 +67,8 @@ pub struct Material {
     /// Whether it goes by colour, through the look-up of colours, instead of by
     /// level.
     pub coloured: bool,
+    /// Its texture, if it has one: then `shade` is its table of texture shades.
+    pub texture: Option<u8>,
     /// Sharpness of highlights, 8 fractional bits, 1..=128.
     pub power: u16,
     /// If `full`, what it is made of; of a material that goes by level the first
@@ -118,6 +120,7 @@ impl Material {
         diffuse: 0,
         full: false,
         coloured: false,
+        texture: None,
         power: 1 << 8,
         channels: Channels {
             constant: [0; 3],
@@ -129,6 +132,7 @@ impl Material {
     /// Whether its triangles need more than a flat or a Gouraud fill.
     pub fn is_surface(&self) -> bool {
         self.coloured
+            || self.texture.is_some()
             || self.shading == Shading::Phong
             || self.full && self.shading == Shading::Flat
     }
@@ -140,7 +144,7 @@ impl Record for Material {
     fn from_words(words: &Self::Words) -> Self {
         let [head, ambient, diffuse, rest @ ..] = *words;
         let [shading, cull, low, high] = head.to_ne_bytes();
-        let [ambient_low, ambient_high, flags, _] = ambient.to_ne_bytes();
+        let [ambient_low, ambient_high, flags, texture] = ambient.to_ne_bytes();
         let [r, g, b, s, t] = rest.map(halves);
         let ([r0, r1], [g0, g1], [b0, b1], [s0, s1], [power, s2]) = (r, g, b, s, t);
         Self {
@@ -151,6 +155,8 @@ impl Record for Material {
             diffuse: u(diffuse),
             full: flags & 1 != 0,
             coloured: flags & 2 != 0,
+            // 1 more than its index, so that 0 is none.
+            texture: texture.checked_sub(1),
             power,
             channels: Channels {
                 constant: [r0, g0, b0],
@@ -165,6 +171,7 @@ impl Record for Material {
         let head = [self.shading as u8, self.cull as u8, low, high];
         let [ambient_low, ambient_high] = self.ambient.to_le_bytes();
         let flags = u8::from(self.full) | u8::from(self.coloured) << 1;
+        let texture = self.texture.map_or(0, |t| t.saturating_add(1));
         let Channels {
             constant: [r0, g0, b0],
             diffuse: [r1, g1, b1],
@@ -172,7 +179,7 @@ impl Record for Material {
         } = self.channels;
         [
             u32::from_ne_bytes(head),
-            u32::from_ne_bytes([ambient_low, ambient_high, flags, 0]),
+            u32::from_ne_bytes([ambient_low, ambient_high, flags, texture]),
             self.diffuse.to_le(),
             join([r0, r1]),
             join([g0, g1]),

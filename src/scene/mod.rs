@@ -16,6 +16,7 @@ mod parse;
 mod parse_light;
 mod pose;
 mod records;
+mod texture;
 mod track;
 mod viewport;
 
@@ -29,7 +30,8 @@ pub use material::{Channels, Cull, Dither, DitherPattern, Material, Shading};
 pub use output::{Output, Stereo};
 pub use parse::Scene;
 pub use pose::{Camera, Place, Placement, Pose, Projection};
-pub use records::{Actor, ColourFormat, Mesh, Meshlet, Record, checksum};
+pub use records::{Actor, ColourFormat, Coordinates, Mesh, Meshlet, Record, checksum};
+pub use texture::{NO_TEXEL, Texture, Wrap};
 pub use track::{Key, Quantity, Track};
 pub use viewport::{FULL_SIDE, Gradient, PlacedViewport, Viewport};
 
@@ -42,7 +44,7 @@ pub mod layout {
     /// Words of the header, before the section table.
     pub const HEADER_WORDS: usize = 27;
     /// Sections; each has two words in the table: byte offset and count.
-    pub const SECTIONS: usize = 25;
+    pub const SECTIONS: usize = 30;
     /// Bytes before the first section.
     pub const PREFIX_BYTES: usize = 4 * (HEADER_WORDS + 2 * SECTIONS);
     /// Where the checksum starts: after magic, version, length, checksum.
@@ -51,6 +53,10 @@ pub mod layout {
     pub const COLOURS: usize = 1 << 12;
     /// Most meshlets of a scene.
     pub const MESHLETS: usize = 1 << 26;
+    /// Base colours of all textures.
+    pub const BASES: usize = 64;
+    /// Entries of a table from light level (64 of them) and base colour to index.
+    pub const TEXTURE_SHADES: usize = 64 * BASES;
     /// Vertices in a meshlet.
     pub const MESHLET_VERTICES: usize = 64;
     /// Triangles in a meshlet.

@@ -6,7 +6,7 @@ use bytemuck::{AnyBitPattern, try_cast_slice};
 use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
 use super::{
     Actor, ColourFormat, DitherPattern, Field, Fog, Header, Key, Light, Look, Material, Mesh,
-    Meshlet, Output, Record, SceneError, Section, Track, Viewport, checksum,
+    Meshlet, Output, Record, SceneError, Section, Texture, Track, Viewport, checksum,
 };
 
 /// A checked scene, read in place from flash.
@@ -38,6 +38,11 @@ pub struct Scene<'a> {
     pub(crate) marks: &'a [u8],
     pub(crate) edges: &'a [[u8; 2]],
     pub(crate) meshlet_edges: &'a [u32],
+    pub(crate) coordinates: &'a [[i16; 2]],
+    pub(crate) textures: &'a [<Texture as Record>::Words],
+    pub(crate) texels: &'a [u8],
+    pub(crate) bases: &'a [[u8; 3]],
+    pub(crate) texture_shades: &'a [[u8; layout::TEXTURE_SHADES]],
 }
 
 impl<'a> Scene<'a> {
@@ -107,9 +112,15 @@ impl<'a> Scene<'a> {
             marks: section(bytes, &mut table)?,
             edges: section(bytes, &mut table)?,
             meshlet_edges: section(bytes, &mut table)?,
+            coordinates: section(bytes, &mut table)?,
+            textures: section(bytes, &mut table)?,
+            texels: section(bytes, &mut table)?,
+            bases: section(bytes, &mut table)?,
+            texture_shades: section(bytes, &mut table)?,
         };
         scene.check_colours()?;
         scene.check_lights()?;
+        scene.check_textures()?;
         scene.check_materials()?;
         scene.check_actors()?;
         scene.check_looks()?;
@@ -197,6 +208,10 @@ impl<'a> Scene<'a> {
             )?;
             self.check_parents(i, &actor)?;
             let (mesh, material) = (self.mesh(actor.mesh), self.material(actor.material));
+            if material.texture.is_some() {
+                let has = mesh.coordinates.is_some().into();
+                range(Section::Actors, i, Field::Coordinates, has, 1, 1)?;
+            }
             if material.shading == super::Shading::Flat {
                 let has = i64::from(mesh.face_normals);
                 range(Section::Actors, i, Field::FaceNormals, has, 1, 1)?;
@@ -298,6 +313,11 @@ impl<'a> Scene<'a> {
                 0,
                 self.fine.len() as i64 - vertices,
             )?;
+        }
+        if let Some(coordinates) = mesh.coordinates {
+            let first = meshlet.first_vertex.wrapping_add(coordinates.offset).into();
+            let last = self.coordinates.len() as i64 - vertices;
+            range(s, i, Field::Coordinates, first, 0, last)?;
         }
         if let Some(offset) = mesh.colours {
             let first = meshlet.first_vertex.wrapping_add(offset).into();

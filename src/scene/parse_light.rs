@@ -2,7 +2,8 @@
 
 use super::parse::{count, range};
 use super::{
-    Cull, Field, Light, LightKind, Material, Record, Scene, SceneError, Section, Shading, layout,
+    Cull, Field, Light, LightKind, Material, Mesh, NO_TEXEL, Record, Scene, SceneError, Section,
+    Shading, Texture, layout,
 };
 
 impl Scene<'_> {
@@ -31,6 +32,50 @@ impl Scene<'_> {
         Ok(())
     }
 
+    pub(super) fn check_textures(&self) -> Result<(), SceneError> {
+        let s = Section::Textures;
+        count(s, self.textures.len(), 0, 255)?;
+        if !cfg!(feature = "texture") && !self.textures.is_empty() {
+            return Err(SceneError::Feature { name: "texture" });
+        }
+        for (i, words) in self.textures.iter().enumerate() {
+            let texture = Texture::from_words(words);
+            for size in texture.size {
+                range(s, i, Field::Size, size.into(), 0, 10)?;
+            }
+            range(s, i, Field::Count, texture.copies.into(), 1, 11)?;
+            let last = self.texels.len() as i64 - i64::from(texture.texels());
+            range(s, i, Field::Texel, texture.first.into(), 0, last)?;
+        }
+        let bases = self.bases.len();
+        count(Section::Bases, bases, 0, layout::BASES)?;
+        for (i, texel) in self.texels.iter().enumerate() {
+            if *texel != NO_TEXEL {
+                let last = bases as i64 - 1;
+                range(Section::Texels, i, Field::Texel, (*texel).into(), 0, last)?;
+            }
+        }
+        let last = self.palette.len() as i64 - 1;
+        for (i, index) in self.texture_shades.as_flattened().iter().enumerate() {
+            let index = (*index).into();
+            range(
+                Section::TextureShades,
+                i,
+                Field::PaletteIndex,
+                index,
+                0,
+                last,
+            )?;
+        }
+        for (i, words) in self.meshes.iter().enumerate() {
+            if let Some(coordinates) = Mesh::from_words(words).coordinates {
+                let exponent = coordinates.exponent.into();
+                range(Section::Meshes, i, Field::Coordinates, exponent, 0, 24)?;
+            }
+        }
+        Ok(())
+    }
+
     pub(super) fn check_materials(&self) -> Result<(), SceneError> {
         let s = Section::Materials;
         for (i, words) in self.materials.iter().enumerate() {
@@ -49,8 +94,16 @@ impl Scene<'_> {
                 most(Shading::ALL.len()),
             )?;
             range(s, i, Field::Cull, cull.into(), 0, most(Cull::ALL.len()))?;
+            if let Some(texture) = material.texture {
+                let textures = self.textures.len();
+                range(s, i, Field::Texture, texture.into(), 0, most(textures))?;
+            }
             if !material.coloured {
-                let shades = self.shades.len();
+                let shades = if material.texture.is_some() {
+                    self.texture_shades.len()
+                } else {
+                    self.shades.len()
+                };
                 range(s, i, Field::Shade, material.shade.into(), 0, most(shades))?;
             }
             let channels = material.channels;

@@ -164,13 +164,38 @@ pub struct Mesh {
     /// list of them, less the vertex's own place in the list of vertices (modulo
     /// 2^32).
     pub colours: Option<u32>,
+    /// A mesh may have texture coordinates.
+    pub coordinates: Option<Coordinates>,
+}
+
+/// The texture coordinates of a mesh: a vertex's, as it is stored, plus `origin`, in
+/// units of `2^-exponent` of the picture's width and height, from its top left corner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Coordinates {
+    /// The place of a vertex's coordinates in the scene's list of them, less the
+    /// vertex's own place in the list of vertices (modulo 2^32).
+    pub offset: u32,
+    /// What is added to u and v.
+    pub origin: [i32; 2],
+    /// See above; 0..=24.
+    pub exponent: u8,
 }
 
 impl Record for Mesh {
-    type Words = [u32; 6];
+    type Words = [u32; 9];
 
     fn from_words(words: &Self::Words) -> Self {
-        let [first_meshlet, meshlets, radius, flags, fine, colours] = words.map(u);
+        let [
+            first_meshlet,
+            meshlets,
+            radius,
+            flags,
+            fine,
+            colours,
+            uv,
+            u0,
+            v0,
+        ] = words.map(u);
         Self {
             first_meshlet,
             meshlets,
@@ -178,13 +203,24 @@ impl Record for Mesh {
             face_normals: flags & 1 != 0,
             fine: (flags & 2 != 0).then_some(fine),
             colours: (flags & 4 != 0).then_some(colours),
+            coordinates: (flags & 8 != 0).then_some(Coordinates {
+                offset: uv,
+                origin: [u0 as i32, v0 as i32],
+                exponent: (flags >> 8) as u8,
+            }),
         }
     }
 
     fn to_words(&self) -> Self::Words {
         let flags = u32::from(self.face_normals)
             | u32::from(self.fine.is_some()) << 1
-            | u32::from(self.colours.is_some()) << 2;
+            | u32::from(self.colours.is_some()) << 2
+            | self
+                .coordinates
+                .map_or(0, |c| 8 | u32::from(c.exponent) << 8);
+        let (uv, [u0, v0]) = self
+            .coordinates
+            .map_or((0, [0; 2]), |c| (c.offset, c.origin));
         let words = [self.first_meshlet, self.meshlets, self.radius, flags];
         let [first, meshlets, radius, flags] = words.map(u32::to_le);
         [
@@ -194,6 +230,9 @@ impl Record for Mesh {
             flags,
             self.fine.unwrap_or(0).to_le(),
             self.colours.unwrap_or(0).to_le(),
+            uv.to_le(),
+            w(u0),
+            w(v0),
         ]
     }
 }

@@ -1,7 +1,7 @@
 //! From light to a palette index.
 
 use crate::light::Lit;
-use crate::scene::layout::COLOURS;
+use crate::scene::layout::{BASES, COLOURS, TEXTURE_SHADES};
 use crate::scene::{Dither, DitherPattern};
 
 /// A material's way from light to a palette index.
@@ -11,6 +11,21 @@ pub enum Lookup<'a> {
     Levels(&'a [u8; 256]),
     /// By the colour, 4 bits a channel.
     Colours(&'a [u8; COLOURS]),
+    /// By the level's highest 6 bits and the base colour of a texel.
+    Texel(&'a [u8; TEXTURE_SHADES], u8),
+}
+
+/// A pixel of a surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Pixel<'a> {
+    /// The way to its index.
+    pub lookup: Lookup<'a>,
+    /// Its light.
+    pub lit: Lit,
+    /// Its screen column and row.
+    pub place: [i32; 2],
+    /// Where in a texture it is, in texels with 16 fractional bits, modulo 2^32.
+    pub texel: [i32; 2],
 }
 
 /// A channel's full light, and what a 15th of it is.
@@ -21,8 +36,8 @@ const STEP: u32 = (255 << 6) / 15;
 /// dithering (Bayer, "An optimum method for two-level rendition of continuous-tone
 /// pictures", 1973). Levels are not dithered.
 #[inline(always)]
-pub fn dithered(lookup: Lookup<'_>, lit: Lit, dither: Dither, place: [i32; 2]) -> u8 {
-    index(lookup, lit, dither.offset(place))
+pub fn dithered(pixel: &Pixel<'_>, dither: Dither) -> u8 {
+    index(pixel.lookup, pixel.lit, dither.offset(pixel.place))
 }
 
 impl Dither {
@@ -57,6 +72,12 @@ fn index(lookup: Lookup<'_>, lit: Lit, offset: i32) -> u8 {
             let [level, ..] = lit;
             let level = ((u32::from(level) + 32) >> 6).min(255);
             shades.get(level as usize).copied().unwrap_or(0)
+        }
+        Lookup::Texel(shades, base) => {
+            let [level, ..] = lit;
+            let row = ((usize::from(level) + 32) >> 8).min(63);
+            #[expect(clippy::indexing_slicing, reason = "held below the length")]
+            shades[(row * BASES + usize::from(base)) % TEXTURE_SHADES]
         }
         Lookup::Colours(colours) => {
             // (c + half a step) / STEP, below 16.

@@ -4,6 +4,8 @@
 
 mod lookup;
 mod surface;
+mod texture;
 
-pub use lookup::{Lookup, dithered};
-pub use surface::{Attributes, Lighting, Surface};
+pub use lookup::{Lookup, Pixel, dithered};
+pub use surface::{Attributes, Lighting, Surface, on_texel};
+pub use texture::{Path, Sampler};

@@ -1,16 +1,20 @@
 //! Light over a surface.
 
-use crate::light::{Lit, SurfaceLights};
+use crate::light::{Lit, Parts, SurfaceLights};
 use crate::math::direction;
-use crate::raster::{RUN_FRACTION, Values};
+use crate::raster::RUN_FRACTION;
 use crate::scene::{Material, Shading};
 
 /// Which attributes a surface interpolates, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Attributes {
+    /// Texture coordinates: two attributes.
+    pub textured: bool,
     /// How it is lit.
     pub lighting: Lighting,
-    /// Whether vertex colours come after a normal and a place.
+    /// Highlights by themselves after a colour: three.
+    pub glossy: bool,
+    /// Vertex colours after a normal and a place: three.
     pub tinted: bool,
 }
 
@@ -36,8 +40,12 @@ impl Attributes {
             Shading::Gouraud => Lighting::Level,
             Shading::Phong => Lighting::Pixel,
         };
+        let textured = cfg!(feature = "texture") && material.texture.is_some();
+        let shiny = material.channels.specular != [0; 3];
         Self {
+            textured,
             lighting,
+            glossy: textured && shiny && lighting == Lighting::Colour,
             tinted: tinted && lighting == Lighting::Pixel,
         }
     }
@@ -50,7 +58,13 @@ impl Attributes {
             Lighting::Colour => 3,
             Lighting::Pixel => 6,
         };
-        if self.tinted { light + 3 } else { light }
+        let more = if self.tinted || self.glossy { 3 } else { 0 };
+        self.before_light() + light + more
+    }
+
+    /// How many come before those of light.
+    pub fn before_light(&self) -> usize {
+        if self.textured { 2 } else { 0 }
     }
 }
 
@@ -66,12 +80,19 @@ pub struct Surface<'a> {
 impl Surface<'_> {
     /// Light where the attributes are `values`; `face` is the face's, if it has one.
     #[inline(always)]
-    pub fn light(&self, values: &Values, face: Lit) -> Lit {
-        let [a, b, c, d, e, f, r, g, u, ..] = *values;
+    pub fn light<const N: usize>(&self, values: &[i32; N], face: Parts) -> Parts {
+        let light = values.get(self.attributes.before_light()..);
+        let mut all = [0; 9];
+        let light = light.unwrap_or_default().iter();
+        all.iter_mut().zip(light).for_each(|(v, c)| *v = *c);
+        let [a, b, c, d, e, f, r, g, u] = all;
         match self.attributes.lighting {
             Lighting::Face => face,
-            Lighting::Level => [channel(a); 3],
-            Lighting::Colour => [channel(a), channel(b), channel(c)],
+            Lighting::Level => body([channel(a); 3]),
+            Lighting::Colour => Parts {
+                body: [channel(a), channel(b), channel(c)],
+                gloss: [channel(d), channel(e), channel(f)],
+            },
             Lighting::Pixel => {
                 // Whatever length is left of the interpolated normal.
                 let normal = direction([a, b, c]).map_or([0; 3], |(unit, _)| unit);
@@ -79,10 +100,29 @@ impl Surface<'_> {
                 let byte = |c: i32| (c >> (RUN_FRACTION + 6)).clamp(0, 255) as u8;
                 let tint = self.attributes.tinted.then(|| [r, g, u].map(byte));
                 self.lights
-                    .map_or([0; 3], |lights| lights.shine(normal, place, tint))
+                    .map_or(Parts::default(), |lights| lights.parts(normal, place, tint))
             }
         }
     }
+}
+
+/// Light without highlights of its own.
+fn body(body: Lit) -> Parts {
+    Parts {
+        body,
+        gloss: [0; 3],
+    }
+}
+
+/// Light on a texel whose channels are 0..=255.
+#[inline(always)]
+pub fn on_texel(light: Parts, texel: [u32; 3]) -> Lit {
+    let mut body = light.body;
+    for (c, t) in body.iter_mut().zip(texel) {
+        // 255 is 1.
+        *c = ((u32::from(*c) * (t + (t >> 7)) + (1 << 7)) >> 8) as u16;
+    }
+    crate::light::sum(body, light.gloss)
 }
 
 /// A channel, rounded; interpolation may leave its range by a rounding.

@@ -102,6 +102,7 @@ impl ActorView {
             face_normals: false,
             fine: None,
             colours: None,
+            coordinates: None,
         },
         middle: [0; 2],
         guard_shift: 0,

@@ -4,6 +4,7 @@ mod coverage;
 mod perspective;
 mod planes;
 mod steep;
+mod surface;
 mod tiling;
 
 use fixel::frame::Band;

@@ -10,10 +10,11 @@ use crate::instance::instances;
 use crate::light::{light, material};
 use crate::look::looks;
 use crate::mesh::{Parts, Source, Sources};
-use crate::not_yet;
 use crate::palette::tables;
 use crate::placement::placed;
 use crate::records::{Instances, actors, header};
+use crate::texture::textures;
+use crate::texturing::{Texturing, padded};
 use crate::track::tracks;
 use crate::units::Units;
 use crate::viewport::{output, viewports};
@@ -82,12 +83,16 @@ impl Baked {
 /// If the scene has more of something than the format holds, a number out of
 /// its range, or asks for what the renderer cannot do yet.
 pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
-    not_yet::check(scene)?;
     at_most("actors", scene.actors.len(), 65535)?;
     at_most("materials", scene.materials.len(), 65535)?;
     at_most("lights with a direction", scene.lights.len(), LIGHTS)?;
     let units = Units::new(scene);
-    let tables = tables(scene, &[]);
+    let textures = textures(scene);
+    let texturing = Texturing::new(&textures.textures)?;
+    let tables = tables(scene, &textures.bases);
+    let bases = textures.bases.len();
+    let shades = tables.texture_shades.iter();
+    let texture_shades: Vec<Vec<u8>> = shades.map(|table| padded(table, bases)).collect();
     let placed = placed(scene)?;
     let (instances, uses) = instances(scene, &placed);
     let mut parts = Parts::default();
@@ -115,7 +120,8 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
         .materials
         .iter()
         .zip(&tables.paths)
-        .map(|(m, path)| material(scene, *path, m));
+        .zip(&textures.of_material)
+        .map(|((m, path), texture)| material(scene, *path, *texture, m));
     let mut materials = materials.collect::<Vec<_>>();
     let looks = looks(scene, &mut materials)?;
     let instances = Instances {
@@ -169,6 +175,11 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
             little_endian_words(&parts.meshlet_edges),
             parts.meshlet_edges.len(),
         ),
+        (little_endian(&parts.coordinates), parts.coordinates.len()),
+        records(&texturing.textures),
+        flat_bytes(&texturing.texels),
+        (words(textures.bases.as_flattened()), textures.bases.len()),
+        (texture_shades.concat(), texture_shades.len()),
     ];
     let cycle = scene.animation.palette_cycle;
     if let Some(cycle) = cycle.filter(|c| c.last as usize >= tables.palette.len()) {
@@ -187,7 +198,7 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
     })
 }
 
-fn at_most(what: &'static str, found: usize, most: usize) -> Result<(), BakeError> {
+pub(crate) fn at_most(what: &'static str, found: usize, most: usize) -> Result<(), BakeError> {
     if found <= most {
         Ok(())
     } else {
@@ -241,7 +252,7 @@ fn flat_bytes(lists: &[Vec<u8>]) -> (Vec<u8>, usize) {
     (bytes, count)
 }
 
-fn little_endian(vertices: &[[i16; 4]]) -> Vec<u8> {
+fn little_endian<const N: usize>(vertices: &[[i16; N]]) -> Vec<u8> {
     vertices
         .as_flattened()
         .iter()

@@ -5,6 +5,7 @@
 //! and by tests.
 
 mod blob;
+mod coordinates;
 mod error;
 mod fog;
 mod grid;
@@ -15,17 +16,13 @@ mod look;
 mod mesh;
 mod meshlet;
 mod normal;
-mod not_yet;
 mod oklab;
 mod palette;
 mod placement;
 mod records;
 mod snap;
-#[cfg_attr(
-    not(test),
-    expect(dead_code, reason = "the blob holds no textures yet")
-)]
 mod texture;
+mod texturing;
 mod track;
 mod unbake;
 mod units;

@@ -76,12 +76,15 @@ fn by_world_units(units: &Units, [c, l, q]: Attenuation) -> [Scaled; 3] {
 }
 
 /// A material and its way from light to an index.
-pub(crate) fn material(scene: &Scene, path: Path, material: &Material) -> core_scene::Material {
+pub(crate) fn material(
+    scene: &Scene,
+    path: Path,
+    texture: Option<usize>,
+    material: &Material,
+) -> core_scene::Material {
     let (shade, coloured) = match path {
-        Path::Level(shade) => (shade, false),
+        Path::Level(shade) | Path::Textured(shade) => (shade, false),
         Path::Colour => (0, true),
-        // Refused before it gets here.
-        Path::Textured(_) => (0, false),
     };
     let plain = scene.lights.iter().all(|light| {
         let [r, g, b] = light.colour;
@@ -103,6 +106,8 @@ pub(crate) fn material(scene: &Scene, path: Path, material: &Material) -> core_s
         diffuse: (material.diffuse.clamp(0.0, 1.0) * 65536.0).round() as u32,
         full: coloured || !plain || material.specular > 0.0 || material.shading == Shading::Phong,
         coloured,
+        // At most 255 of them.
+        texture: texture.map(|index| index as u8),
         power: (material.specular_power * 256.0).round() as u16,
         channels: channels(scene, material, coloured),
     }

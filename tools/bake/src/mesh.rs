@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use fixel::scene::layout::{CHAINED, LEAST_RADIUS};
-use fixel::scene::{Mesh as MeshRecord, Meshlet};
+use fixel::scene::{Coordinates, Mesh as MeshRecord, Meshlet};
 use fixel_scene::{Mesh, Rgb};
 use glam::{DVec3, IVec3};
 
@@ -12,7 +12,7 @@ use crate::group::{Group, groups};
 use crate::instance::Instance;
 use crate::meshlet::clusters;
 use crate::snap::{place, snap};
-use crate::{BakeError, normal};
+use crate::{BakeError, coordinates, normal};
 
 /// A mesh of so many triangles may take 4 bytes more a vertex to be exact to 22
 /// bits an axis: large faces that the eye stands close to need it, and flash does
@@ -50,6 +50,7 @@ pub(crate) struct Parts {
     pub face_normals: Vec<u32>,
     pub fine: Vec<[u8; 4]>,
     pub colours: Vec<[u8; 4]>,
+    pub coordinates: Vec<[i16; 2]>,
     pub edges: Vec<[u8; 2]>,
     /// Each meshlet's first edge, and one past the last.
     pub meshlet_edges: Vec<u32>,
@@ -63,6 +64,10 @@ struct Shape {
     normals: Vec<DVec3>,
     /// Of the vertices, or none.
     colours: Vec<[u8; 4]>,
+    /// Of the vertices, or none, as the blob has them.
+    coordinates: Vec<[i16; 2]>,
+    /// Their record but for the offset.
+    coordinate_grid: Option<Coordinates>,
     triangles: Vec<[u32; 3]>,
     /// Of each triangle, its index in the description.
     source: Vec<u32>,
@@ -81,7 +86,7 @@ impl Parts {
         mesh: &Mesh,
         least: f64,
     ) -> Result<(), BakeError> {
-        let mut shape = Shape::new(instance, mesh);
+        let mut shape = Shape::new(instance, mesh)?;
         let clusters = clusters(&shape.positions, &shape.triangles);
         let edges = if instance.edges {
             mesh.edges.as_slice()
@@ -122,6 +127,7 @@ impl Parts {
         let vertices = self.vertices.len() as u32;
         let fine = (self.fine.len() as u32).wrapping_sub(vertices);
         let colours = (self.colours.len() as u32).wrapping_sub(vertices);
+        let coordinates = (self.coordinates.len() as u32).wrapping_sub(vertices);
         let mut radius = f64::from(LEAST_RADIUS);
         for (group, shifts) in groups.iter().zip(shifts) {
             self.add_meshlet(&shape, group, shifts)?;
@@ -153,6 +159,10 @@ impl Parts {
             face_normals: shape.flat,
             fine: shape.fine.then_some(fine),
             colours: (!shape.colours.is_empty()).then_some(colours),
+            coordinates: shape.coordinate_grid.map(|grid| Coordinates {
+                offset: coordinates,
+                ..grid
+            }),
         });
         self.grids.push(grid);
         Ok(())
@@ -232,6 +242,7 @@ impl Parts {
             vertex[3] = i16::from_le_bytes(high);
             self.vertices.push(vertex);
             self.colours.extend(shape.colours.get(*v as usize));
+            self.coordinates.extend(shape.coordinates.get(*v as usize));
             if shape.fine {
                 let low = |axis: usize| (from_base[axis] & ((1 << shifts[axis]) - 1)) as u8;
                 let [u, v] = code.map(|c| (c & 15) as u8);
@@ -254,12 +265,15 @@ impl Parts {
 }
 
 impl Shape {
-    fn new(instance: &Instance, mesh: &Mesh) -> Self {
+    fn new(instance: &Instance, mesh: &Mesh) -> Result<Self, BakeError> {
         let positions = instance.positions(mesh);
         let byte = |c: f64| (c.clamp(0.0, 1.0) * 255.0).round() as u8;
         let colour = |c: &Rgb| [byte(c[0]), byte(c[1]), byte(c[2]), 0];
         // Vertices that differ only in a normal that nobody needs are one.
-        let keep = if instance.smooth || !mesh.colours.is_empty() {
+        let keep = if instance.smooth
+            || !mesh.colours.is_empty()
+            || !mesh.texture_coordinates.is_empty()
+        {
             (0..positions.len() as u32).collect()
         } else {
             weld(&positions)
@@ -271,7 +285,10 @@ impl Shape {
             .map(|(i, t)| (i as u32, instance.corners(*t).map(|v| keep[v as usize])))
             .filter(|(_, t)| has_area(&positions, t))
             .unzip();
-        Self {
+        let (coordinate_grid, coordinates) = coordinates::place(&mesh.texture_coordinates)?;
+        Ok(Self {
+            coordinate_grid,
+            coordinates,
             normals: instance.normals(mesh),
             colours: mesh.colours.iter().map(colour).collect(),
             positions,
@@ -280,7 +297,7 @@ impl Shape {
             snapped: Vec::new(),
             flat: instance.flat,
             fine: false,
-        }
+        })
     }
 
     fn face_normal(&self, triangle: &[u32; 3]) -> DVec3 {

@@ -43,8 +43,6 @@ pub(crate) struct Texture {
     pub wrap: Wrap,
     /// As the description has it.
     pub perspective: bool,
-    /// Whether some texel is [`NOTHING`].
-    pub has_holes: bool,
 }
 
 /// A colour and its alpha, each in 0..=1.
@@ -131,7 +129,6 @@ fn quantise(texturing: &Texturing, copies: &[Picture], bases: &[[u8; 3]]) -> Tex
     Texture {
         width,
         height,
-        has_holes: copies.iter().flatten().any(|texel| *texel == NOTHING),
         copies,
         filter: texturing.filter,
         wrap: texturing.wrap,
@@ -307,7 +304,6 @@ mod tests {
         let one = textures(&scene(vec![checks.clone()], |_| how(false)));
         let texture = &one.textures[0];
         assert_eq!((texture.width, texture.height), (2, 2));
-        assert!(texture.has_holes);
         assert_eq!(texture.copies.len(), 1);
         let colour = |texel: u8| one.bases[usize::from(texel)];
         let [a, b, c, d] = texture.copies[0][..] else {

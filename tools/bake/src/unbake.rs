@@ -18,6 +18,7 @@ use crate::normal;
 use motion::Places;
 
 mod motion;
+mod texture;
 
 /// The description of a baked scene.
 pub fn unbake(blob: &Blob<'_>) -> Scene {
@@ -56,10 +57,11 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
                 )
             })
             .collect(),
-        textures: Vec::new(),
+        textures: texture::textures(blob),
         materials: (0..blob.material_count())
             .map(|i| {
                 material(
+                    blob,
                     i,
                     &blob.material(i),
                     colours(blob.shade(&blob.material(i))[255]),
@@ -193,7 +195,12 @@ fn light(light: &core_scene::Light, scene_unit: f64, position: [f64; 3]) -> Ligh
     }
 }
 
-fn material(number: u16, material: &core_scene::Material, colour: Rgb) -> Material {
+fn material(
+    blob: &Blob<'_>,
+    number: u16,
+    material: &core_scene::Material,
+    colour: Rgb,
+) -> Material {
     let unit = |level: u16| f64::from(level) / (64.0 * 255.0);
     let channels = material.channels;
     let [specular, ..] = channels.specular;
@@ -217,6 +224,7 @@ fn material(number: u16, material: &core_scene::Material, colour: Rgb) -> Materi
     Material {
         name: format!("material {}", number + 1),
         specular_power: f64::from(material.power) / 256.0,
+        texture: material.texture.and_then(|t| texture::texturing(blob, t)),
         shading: match material.shading {
             core_scene::Shading::Flat => Shading::Flat,
             core_scene::Shading::Gouraud => Shading::Gouraud,
@@ -308,6 +316,8 @@ fn mesh(blob: &Blob<'_>, number: u16) -> Mesh {
             };
             mesh.normals.push(normal.to_array());
         }
+        mesh.texture_coordinates
+            .extend(texture::coordinates(blob, &meshlet, &record));
         let tints = blob.meshlet_colours(&meshlet, &record).iter();
         mesh.colours
             .extend(tints.map(|[r, g, b, _]| [r, g, b].map(|c| f64::from(*c) / 255.0)));

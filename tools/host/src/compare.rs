@@ -2,6 +2,8 @@
 
 use fixel::Scene;
 use fixel::render::Ids;
+use fixel::scene::Material;
+use fixel::scene::layout::BASES;
 use fixel_bake::Baked;
 use fixel_reference::{Frame, Lookup, NO_TRIANGLE, Path};
 
@@ -34,6 +36,8 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
         let material = scene.material(m);
         if material.coloured {
             Path::Colour
+        } else if material.texture.is_some() {
+            textured(scene, &material)
         } else {
             Path::Level(Box::new(*scene.shade(&material)))
         }
@@ -51,7 +55,7 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
         rgb: pixels(scene, options.frame, &index),
         index,
         depth: drawn.depth.clone(),
-        texture_place: Vec::new(),
+        texture_place: planes::texture_place(scene, options),
         lookup: Lookup {
             paths: (0..scene.material_count()).map(path).collect(),
             colours: if coloured {
@@ -65,6 +69,17 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
         },
     };
     (frame, drawn)
+}
+
+/// The way of a material with a texture that goes by level: the core's tables have
+/// longer rows.
+fn textured(scene: &Scene<'_>, material: &Material) -> Path {
+    let bases = scene.bases().to_vec();
+    let rows = scene.texture_shades(material).chunks(BASES);
+    Path::Textured {
+        shade: rows.flat_map(|row| row[..bases.len()].to_vec()).collect(),
+        bases,
+    }
 }
 
 /// The background's palette index at each pixel, viewports on top of each other.

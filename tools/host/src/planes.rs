@@ -6,7 +6,7 @@ use fixel::display::Display;
 use fixel::frame::BandRows;
 use fixel::palette::Palette;
 use fixel::render::{
-    FrameStats, Paint, PaintActor, PaintLight, PaintTriangle, Picked, Scratch, Shaded,
+    FrameStats, Paint, PaintActor, PaintLight, PaintTexel, PaintTriangle, Picked, Scratch, Shaded,
     render_frame_with,
 };
 use fixel::scene::Dither;
@@ -101,6 +101,23 @@ pub(crate) fn light(scene: &Scene<'_>, options: &Options) -> Vec<[u8; 3]> {
     let (red, green, blue) = (plane(0), plane(1), plane(2));
     let rows = red.into_iter().zip(green).zip(blue);
     rows.map(|((r, g), b)| [r, g, b]).collect()
+}
+
+/// Renders where in its texture each pixel is, in texels; empty if there are no
+/// textures.
+pub(crate) fn texture_place(scene: &Scene<'_>, options: &Options) -> Vec<[f64; 2]> {
+    if scene.texture_count() == 0 {
+        return Vec::new();
+    }
+    let along = |axis| {
+        let bytes =
+            [0, 1, 2, 3].map(|byte| paint(&PaintTexel { axis, byte }, scene, options).index);
+        let place = |i: usize| i32::from_le_bytes([0, 1, 2, 3].map(|b: usize| bytes[b][i]));
+        let places = (0..bytes[0].len()).map(|i| f64::from(place(i)) / 65536.0);
+        places.collect::<Vec<_>>()
+    };
+    let (across, down) = (along(0), along(1));
+    across.into_iter().zip(down).map(|(x, y)| [x, y]).collect()
 }
 
 /// Renders the actor of each pixel; meaningless where nothing is.

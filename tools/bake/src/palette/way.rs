@@ -1,6 +1,6 @@
 //! Which of the two ways to a pixel a material goes.
 
-use fixel_scene::{Light, Material, Rgb, Scene};
+use fixel_scene::{Filter, Light, Material, Rgb, Scene};
 
 use super::surface::brightest;
 
@@ -32,7 +32,8 @@ impl Way {
     /// moreover these lines start at black:
     /// - ambient light is grey, or the material takes none;
     /// - its ambient and diffuse colours are the same;
-    /// - it has no highlights.
+    /// - it has no highlights;
+    /// - its texels are not blended.
     ///
     /// All others go by colour.
     pub(crate) fn of(scene: &Scene, material: usize) -> Self {
@@ -51,7 +52,9 @@ impl Way {
         let on_a_line = scene.lights.iter().all(is_grey)
             && has_no_highlight_of_its_own(surface)
             && !scene.actors.iter().any(|actor| tinted(&actor))
-            && (surface.texture.is_none() || lines_from_black())
+            && surface
+                .texture
+                .is_none_or(|t| t.filter == Filter::Nearest && lines_from_black())
             && (surface
                 .diffuse_colour
                 .iter()

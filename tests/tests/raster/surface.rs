@@ -1,0 +1,140 @@
+//! Attributes in perspective against f64: at every pixel of every run, whatever the
+//! triangle, its distances and its attributes.
+
+use proptest::prelude::*;
+
+use super::{BOTH, raw};
+use fixel::frame::Band;
+use fixel::math::SUBPX_BITS;
+use fixel::raster::{Corner, MOST_ATTRIBUTES, RUN_FRACTION, SurfaceKind, draw_surface};
+use fixel::vertex::ScreenVertex;
+
+const SIZE: (u16, u16) = (120, 60);
+const COUNT: usize = 3;
+
+/// A pixel and the attributes that its run has there, with the run's reach of each.
+struct Seen {
+    place: [i32; 2],
+    values: [f64; COUNT],
+    reach: [f64; COUNT],
+}
+
+fn drawn(vertices: &[ScreenVertex; 3], corners: [Corner; 3]) -> Vec<Seen> {
+    let pixels = usize::from(SIZE.0) * usize::from(SIZE.1);
+    let (mut index, mut depth) = (vec![0; pixels], vec![0; pixels]);
+    let mut band = Band::new(SIZE.0, &mut index, &mut depth).expect("a band");
+    let mut target = band.target(0, SIZE.1);
+    target.clear(|_| 0);
+    let kind = SurfaceKind {
+        attributes: COUNT,
+        footprint: false,
+    };
+    let mut seen = Vec::new();
+    draw_surface(
+        &mut target,
+        vertices.each_ref(),
+        BOTH,
+        kind,
+        &mut || corners,
+        &mut |run| {
+            let one = f64::from(1 << RUN_FRACTION);
+            let length = run.indices.len();
+            for number in 0..length {
+                let [column, row] = run.place;
+                let each = |i: usize| [run.from[i], run.step[i]].map(|v| f64::from(v) / one);
+                let all: [_; COUNT] = std::array::from_fn(each);
+                seen.push(Seen {
+                    place: [column + number as i32, row],
+                    values: all.map(|[from, step]| from + step * number as f64),
+                    reach: all.map(|[_, step]| step.abs() * length as f64),
+                });
+            }
+        },
+    );
+    seen
+}
+
+/// How much longer than high: the square of the longest side over the doubled area.
+fn slenderness(vertices: &[ScreenVertex; 3]) -> f64 {
+    let place = |i: usize| {
+        let v = &vertices[i % 3];
+        (v.x.to_num::<f64>(), v.y.to_num::<f64>())
+    };
+    let side = |i: usize| {
+        let ((ax, ay), (bx, by)) = (place(i), place(i + 1));
+        (ax - bx).powi(2) + (ay - by).powi(2)
+    };
+    side(0).max(side(1)).max(side(2)) / weights(vertices, [0; 2]).0
+}
+
+/// Doubled area in pixels squared, and the weights of the corners at a pixel's centre.
+fn weights(vertices: &[ScreenVertex; 3], [x, y]: [i32; 2]) -> (f64, [f64; 3]) {
+    let (px, py) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
+    let [(ax, ay), (bx, by), (cx, cy)] = vertices
+        .each_ref()
+        .map(|v| (v.x.to_num::<f64>(), v.y.to_num::<f64>()));
+    let area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+    let b = ((px - ax) * (cy - ay) - (py - ay) * (cx - ax)) / area;
+    let c = ((bx - ax) * (py - ay) - (by - ay) * (px - ax)) / area;
+    (area.abs(), [1.0 - b - c, b, c])
+}
+
+fn corner() -> impl Strategy<Value = (i32, i32)> {
+    let one = 1 << SUBPX_BITS;
+    let x = prop_oneof![3 => -one..121 * one, 1 => -1900 * one..1900 * one];
+    let y = prop_oneof![3 => -one..61 * one, 1 => -1900 * one..1900 * one];
+    (x, y)
+}
+
+/// Near, far, and all the same.
+fn distances() -> impl Strategy<Value = [i32; 3]> {
+    prop_oneof![
+        prop::array::uniform3(1 << 20..1 << 28),
+        (1 << 16..1 << 28i32).prop_flat_map(|d| prop::array::uniform3(d..2 * d)),
+        (1..1 << 28i32).prop_map(|d| [d; 3]),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4_000))]
+
+    #[test]
+    fn attributes_are_right_at_every_pixel(
+        places in prop::array::uniform3(corner()),
+        distances in distances(),
+        values in prop::array::uniform3(prop::array::uniform3(-(1 << 15)..=1 << 15)),
+    ) {
+        let vertices = places.map(|(x, y)| raw(x, y, 30_000 << 4, 0));
+        let corner = |i: usize| {
+            let mut attributes = [0; MOST_ATTRIBUTES];
+            attributes[..COUNT].copy_from_slice(&values[i]);
+            Corner { distance: distances[i], attributes }
+        };
+        let corners = [corner(0), corner(1), corner(2)];
+        let slender = slenderness(&vertices);
+        let nearest = f64::from(*distances.iter().min().expect("three"));
+        for seen in drawn(&vertices, corners) {
+            let (area, weights) = weights(&vertices, seen.place);
+            let near: [f64; 3] = std::array::from_fn(|i| weights[i] / f64::from(distances[i]));
+            let whole: f64 = near.iter().sum();
+            // A sliver's weights have 20 bits on the screen.
+            if area < 2.0 || whole <= 0.0 {
+                continue;
+            }
+            // How far this pixel is against the nearest corner: what was rounded there
+            // counts so much more here.
+            let far = 1.0 / (whole * nearest);
+            for (i, value) in seen.values.into_iter().enumerate() {
+                let exact = (0..3).map(|k| near[k] * f64::from(values[k][i])).sum::<f64>() / whole;
+                // The bound of the straight line between a run's ends; gradients are good
+                // to 2^-28 of what they are multiplied with.
+                let gradient = slender * far * 5e-4;
+                let allowed = 0.05 + seen.reach[i] / 60.0 + far * far * 2e-4 + gradient;
+                prop_assert!(
+                    (value - exact).abs() <= allowed,
+                    "{value} instead of {exact}, {allowed} allowed, at {:?}", seen.place
+                );
+            }
+        }
+    }
+}
