@@ -15,6 +15,8 @@ use crate::{parallel, paths};
 /// Most pixels whose coverage may differ, as a share of the covered ones, and
 /// always one pixel.
 const COVERAGE_PERCENT: f64 = 0.02;
+/// Most that places in textures are off in the mean, in texels.
+const TEXELS: f64 = 0.25;
 /// Fewest agreeing pixels, in percent, whose depth is within one unit.
 const DEPTH_WITHIN_1_PERCENT: f64 = 99.9;
 /// Least PSNR of a scene of one material against the unquantised truth, on a
@@ -120,6 +122,12 @@ fn limits(compared: &Compared) -> Result<()> {
         broken.push(format!(
             "depth is within 1 unit on {:.2} % only",
             report.depth_within_1_percent
+        ));
+    }
+    if report.texel_mean > TEXELS {
+        broken.push(format!(
+            "places in textures are {:.2} texels off",
+            report.texel_mean
         ));
     }
     if compared.one_material && compared.rgb888_psnr_db < PSNR_DB {
