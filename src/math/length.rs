@@ -44,7 +44,7 @@ pub fn reciprocal_root(value: u32) -> (u32, u32) {
 pub type ShortUnit = [i32; 3];
 
 /// The direction of a vector, and its length; `None` for length 0. Components are
-/// off by 2^-14 at most, the length by 2^-13 of it.
+/// off by 1.5 * 2^-14 at most, the length by 2^-13 of it.
 #[inline(never)]
 pub fn direction(v: [i32; 3]) -> Option<(ShortUnit, Scaled)> {
     let bits = v.iter().fold(0, |m, c| m | c.unsigned_abs());

