@@ -50,7 +50,13 @@ fn build_demo(board: &Board, scene: &scene::Baked, features: &str) -> Result<Dem
     let route = toolchain::provide(board.target)?;
     let mut command = cargo_build(route, board);
     command
-        .args(["--bin", "demo", "--features", features])
+        .args([
+            "--bin",
+            "demo",
+            "--no-default-features",
+            "--features",
+            features,
+        ])
         .env("FIXEL_SCENE", &scene.path);
     child::visibly(&mut command)?;
     let stem = scene.path.file_stem().unwrap_or_default().to_string_lossy();
