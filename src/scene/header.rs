@@ -35,24 +35,8 @@ pub struct Header {
     pub cycle: (u16, u16),
     /// Frames in which they go round once, at least 1 if there are any.
     pub cycle_frames: u32,
-    /// Eye, raw [`World`](crate::math::World) bits.
-    pub position: [i32; 3],
-    /// What is in the middle of the picture.
-    pub focal_point: [i32; 3],
-    /// Which way is up.
-    pub view_up: [i32; 3],
-    /// 0: perspective, 1: parallel.
-    pub projection: u8,
-    /// Perspective: tangent of half the vertical angle of view, in 2^-24.
-    /// Parallel: half the picture's height, raw world bits.
-    pub half_height: u32,
-    /// Power of two that `near` and `far` are in: 0..=11. Not 0 only where a
-    /// parallel view's range is far larger than its scene.
-    pub range_exponent: u8,
-    /// Distance of the near plane, raw world bits; above 0 for perspective.
-    pub near: i32,
-    /// Distance of the far plane; `i32::MAX`: none (perspective only).
-    pub far: i32,
+    /// The scene's camera.
+    pub camera: CameraRecord,
 }
 
 impl Record for Header {
@@ -67,19 +51,6 @@ impl Record for Header {
             size,
             format,
             turntable,
-            p0,
-            p1,
-            p2,
-            f0,
-            f1,
-            f2,
-            u0,
-            u1,
-            u2,
-            projection,
-            half,
-            near,
-            far,
             c0,
             c1,
             c2,
@@ -87,46 +58,37 @@ impl Record for Header {
             dither,
             cycle,
             cycle_frames,
-        ] = *words;
-        let [format, exponent, centre_exponent, range_exponent] = format.to_ne_bytes();
+            camera @ ..,
+        ] = words;
+        let [format, exponent, centre_exponent, _] = format.to_ne_bytes();
         Self {
-            length: u(length),
-            checksum: u(checksum),
-            width: u(size) as u16,
-            height: (u(size) >> 16) as u16,
+            length: u(*length),
+            checksum: u(*checksum),
+            width: u(*size) as u16,
+            height: (u(*size) >> 16) as u16,
             colour_format: format,
             world_exponent: exponent as i8,
-            world_centre: [i(c0), i(c1), i(c2)],
+            world_centre: [i(*c0), i(*c1), i(*c2)],
             centre_exponent: centre_exponent as i8,
-            turntable: u(turntable),
-            frames: u(frames),
-            dither_pattern: u(dither) as u8,
-            dither_spread: (u(dither) >> 16) as u16,
-            cycle: (u(cycle) as u16, (u(cycle) >> 16) as u16),
-            cycle_frames: u(cycle_frames),
-            position: [i(p0), i(p1), i(p2)],
-            focal_point: [i(f0), i(f1), i(f2)],
-            view_up: [i(u0), i(u1), i(u2)],
-            projection: u(projection) as u8,
-            half_height: u(half),
-            range_exponent,
-            near: i(near),
-            far: i(far),
+            turntable: u(*turntable),
+            frames: u(*frames),
+            dither_pattern: u(*dither) as u8,
+            dither_spread: (u(*dither) >> 16) as u16,
+            cycle: (u(*cycle) as u16, (u(*cycle) >> 16) as u16),
+            cycle_frames: u(*cycle_frames),
+            camera: CameraRecord::from_words(camera),
         }
     }
 
     fn to_words(&self) -> Self::Words {
         let size = u32::from(self.width) | u32::from(self.height) << 16;
-        let exponents = [self.world_exponent, self.centre_exponent].map(|e| e as u8);
-        let [world, centre] = exponents;
-        let format = [self.colour_format, world, centre, self.range_exponent];
+        let [world, centre] = [self.world_exponent, self.centre_exponent].map(|e| e as u8);
+        let format = [self.colour_format, world, centre, 0];
         let (first, count) = self.cycle;
         let cycle = u32::from(first) | u32::from(count) << 16;
+        let dither = u32::from(self.dither_pattern) | u32::from(self.dither_spread) << 16;
         let [c0, c1, c2] = self.world_centre.map(w);
-        let [p0, p1, p2] = self.position.map(w);
-        let [f0, f1, f2] = self.focal_point.map(w);
-        let [u0, u1, u2] = self.view_up.map(w);
-        [
+        let own = [
             layout::MAGIC.to_le(),
             layout::VERSION.to_le(),
             self.length.to_le(),
@@ -134,42 +96,20 @@ impl Record for Header {
             size.to_le(),
             u32::from_ne_bytes(format),
             self.turntable.to_le(),
-            p0,
-            p1,
-            p2,
-            f0,
-            f1,
-            f2,
-            u0,
-            u1,
-            u2,
-            u32::from(self.projection).to_le(),
-            self.half_height.to_le(),
-            w(self.near),
-            w(self.far),
             c0,
             c1,
             c2,
             self.frames.to_le(),
-            (u32::from(self.dither_pattern) | u32::from(self.dither_spread) << 16).to_le(),
+            dither.to_le(),
             cycle.to_le(),
             self.cycle_frames.to_le(),
-        ]
-    }
-}
-
-impl Header {
-    /// The scene's camera.
-    pub fn camera(&self) -> CameraRecord {
-        CameraRecord {
-            position: self.position,
-            focal_point: self.focal_point,
-            view_up: self.view_up,
-            projection: self.projection,
-            half_height: self.half_height,
-            range_exponent: self.range_exponent,
-            near: self.near,
-            far: self.far,
-        }
+        ];
+        let mut words = [0; layout::HEADER_WORDS];
+        let all = own.into_iter().chain(self.camera.to_words());
+        words
+            .iter_mut()
+            .zip(all)
+            .for_each(|(word, own)| *word = own);
+        words
     }
 }

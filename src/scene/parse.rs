@@ -399,7 +399,7 @@ fn check_header(header: &Header) -> Result<(), SceneError> {
     let (pattern, spread) = (header.dither_pattern.into(), header.dither_spread.into());
     check(Field::Dither, pattern, 0, patterns - 1)?;
     check(Field::Dither, spread, 0, 128 << 6)?;
-    match header.camera().out_of_range() {
+    match header.camera.out_of_range() {
         Some((field, value)) => Err(SceneError::Header { field, value }),
         None => Ok(()),
     }

@@ -187,7 +187,7 @@ impl Scene<'_> {
         let header = &self.header;
         let frame = number.checked_rem(header.frames).unwrap_or(number);
         Pose {
-            camera: self.moved_camera(header.camera().camera(), frame),
+            camera: self.moved_camera(header.camera.camera(), frame),
             height: self.frame_height(),
             turn: Angle::fraction(number, header.turntable),
             frame,

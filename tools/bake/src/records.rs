@@ -41,14 +41,7 @@ pub(crate) fn header(scene: &Scene, units: &Units, spread: f64) -> Result<Header
         dither_spread: (spread * 255.0 * 64.0).round() as u16,
         cycle: cycle.map_or((0, 0), |c| (c.first as u16, (c.last - c.first + 1) as u16)),
         cycle_frames: cycle.map_or(0, |c| c.frames),
-        position: camera.position,
-        focal_point: camera.focal_point,
-        view_up: camera.view_up,
-        projection: camera.projection,
-        half_height: camera.half_height,
-        range_exponent: camera.range_exponent,
-        near: camera.near,
-        far: camera.far,
+        camera,
     })
 }
 

@@ -24,7 +24,7 @@ mod texture;
 pub fn unbake(blob: &Blob<'_>) -> Scene {
     let header = blob.header();
     let places = Places::of(blob);
-    let camera = camera(&header.camera(), &places);
+    let camera = camera(&header.camera, &places);
     let colours = |index: u8| colour(blob, index);
     let rows = blob.height();
     let ends = [0, rows.saturating_sub(1)].map(|y| colours(blob.background(y, rows)));

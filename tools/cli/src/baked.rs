@@ -40,7 +40,7 @@ pub fn describe(bytes: &[u8]) -> Result<Map<String, Value>> {
     let triangles = scene.triangle_count();
     let mesh_bytes = scene.mesh_bytes();
     let each = |bytes: usize| bytes as f64 / triangles.max(1) as f64;
-    let projection = if header.projection == 0 {
+    let projection = if header.camera.projection == 0 {
         "perspective"
     } else {
         "parallel"
