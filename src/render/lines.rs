@@ -4,7 +4,7 @@
 use super::draw::Part;
 use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
-use super::triangles::{Triangle, corner, triangles};
+use super::triangles::{Triangle, clip_vertices, corner, triangles};
 use crate::clip::clip_line;
 use crate::frame::Target;
 use crate::line::{DepthRule, Line, Mark, draw_line, draw_mark};
@@ -12,8 +12,7 @@ use crate::math::{FineDepth, SUBPX_BITS};
 use crate::raster::{Fill, Sides, draw_depth, draw_triangle};
 use crate::scene::layout::CHAINED;
 use crate::scene::{Look, Representation, Scene};
-use crate::vertex::{ScreenVertex, vertex};
-use crate::view::MeshletRows;
+use crate::vertex::ScreenVertex;
 
 /// When in a viewport something is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -129,7 +128,8 @@ fn draw_edges<P: Paint>(
         let vertices = if a | b == 0 {
             ends
         } else {
-            match clip_edge(part, indices, ends) {
+            let ends = clip_vertices(part.scene, part.view, part.meshlet, indices, ends);
+            match clip_line(part.view, ends) {
                 Some(line) => clipped = line,
                 None => continue,
             }
@@ -148,20 +148,6 @@ fn draw_edges<P: Paint>(
         };
         draw_line(target, &line, &rule(look), paint.fill(shades, None, ids));
     }
-}
-
-#[cold]
-fn clip_edge(
-    part: &Part<'_>,
-    indices: [u8; 2],
-    kept: [&ScreenVertex; 2],
-) -> Option<[ScreenVertex; 2]> {
-    let rows = MeshletRows::new(part.view, part.meshlet);
-    let mut ends = indices.map(|index| vertex(part.scene, &rows, part.view, part.meshlet, index));
-    for (end, kept) in ends.iter_mut().zip(kept) {
-        end.level = i32::from(kept.level.to_bits());
-    }
-    clip_line(part.view, ends)
 }
 
 /// Draws the faces of a hidden-line actor: they hide what is behind them, and lie

@@ -5,7 +5,7 @@ use crate::clip::{Cut, clip};
 use crate::raster::Drawn;
 use crate::scene::layout::MESHLET_VERTICES;
 use crate::scene::{Meshlet, Scene};
-use crate::vertex::{ScreenVertex, TransformedMeshlet, vertex};
+use crate::vertex::{ClipVertex, ScreenVertex, TransformedMeshlet, vertex};
 use crate::view::{ActorView, MeshletRows};
 
 /// A triangle of a meshlet, or a part of one.
@@ -49,7 +49,7 @@ pub(super) fn triangles(
             continue;
         }
         stats.triangles_clipped += 1;
-        let polygon = clip(view, clip_corners(scene, view, meshlet, &triangle));
+        let polygon = clip(view, clip_vertices(scene, view, meshlet, *indices, corners));
         let all = polygon.vertices().iter().zip(polygon.cuts());
         let mut all = all.clone().zip(all.skip(1));
         let Some((first, _)) = all.next() else {
@@ -74,21 +74,20 @@ pub(super) fn corner(transformed: &TransformedMeshlet, index: u8) -> &ScreenVert
     &transformed.vertices[usize::from(index) % MESHLET_VERTICES]
 }
 
-/// The corners of a triangle in clip space. Kept vertices have no clip
-/// coordinates: they are made again for the few triangles that need them.
+/// Some of a meshlet's vertices in clip space. Kept vertices have no clip coordinates:
+/// they are made again for the few triangles and edges that need them.
 #[cold]
-fn clip_corners(
+pub(super) fn clip_vertices<const N: usize>(
     scene: &Scene<'_>,
     view: &ActorView,
     meshlet: &Meshlet,
-    triangle: &Triangle<'_>,
-) -> [crate::vertex::ClipVertex; 3] {
+    indices: [u8; N],
+    kept: [&ScreenVertex; N],
+) -> [ClipVertex; N] {
     let rows = MeshletRows::new(view, meshlet);
-    let mut corners = triangle
-        .indices
-        .map(|index| vertex(scene, &rows, view, meshlet, index));
-    for (corner, kept) in corners.iter_mut().zip(triangle.corners) {
-        corner.level = i32::from(kept.level.to_bits());
+    let mut vertices = indices.map(|index| vertex(scene, &rows, view, meshlet, index));
+    for (vertex, kept) in vertices.iter_mut().zip(kept) {
+        vertex.level = i32::from(kept.level.to_bits());
     }
-    corners
+    vertices
 }
