@@ -1,7 +1,3 @@
-//! Tables and products over their ranges, against f64.
-
-mod light;
-
 use super::*;
 use std::f64::consts::TAU;
 

@@ -1,6 +1,7 @@
-//! What light is worked out with.
+//! What light is worked out with, against f64: roots, directions, powers, numbers of
+//! any size.
 
-use super::super::*;
+use fixel::math::{Scaled, direction, power, reciprocal_root, scaled_reciprocal};
 use proptest::prelude::*;
 
 #[test]
