@@ -9,16 +9,21 @@
 
 mod attribute;
 mod attributes;
+mod corners;
 mod edge;
 mod gradient;
 mod kernels;
 mod perspective;
+mod run;
 mod scan;
 mod sliver;
 mod span;
 mod surface;
+mod surface_planes;
 mod triangle;
 
+pub use corners::{Corner, SurfaceKind};
+pub use run::{MOST_ATTRIBUTES, RUN_FRACTION, Run, Values};
 pub use span::Fill;
-pub use surface::{Corner, MOST_ATTRIBUTES, RUN_FRACTION, Run, SurfaceKind, Values, draw_surface};
+pub use surface::draw_surface;
 pub use triangle::{Drawn, Sides, draw_depth, draw_triangle};
