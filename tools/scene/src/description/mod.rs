@@ -1,0 +1,62 @@
+//! The scene as plain data: what the baker, the f64 reference and the
+//! commands read. It holds no arithmetic: how a matrix is composed, how a
+//! light level comes about, is for each reader to work out by itself, or the
+//! reference would prove nothing.
+//!
+//! Units: lengths in scene units, angles in degrees, colours display-encoded
+//! red, green, blue in 0..=1. Meanings of camera and actor fields are VTK's.
+
+mod actor;
+mod animation;
+mod camera;
+mod display;
+mod fog;
+mod light;
+mod material;
+mod palette;
+
+pub use actor::*;
+pub use animation::*;
+pub use camera::*;
+pub use display::*;
+pub use fog::*;
+pub use light::*;
+pub use material::*;
+pub use palette::*;
+
+use crate::texture::Texture;
+
+/// A colour: display-encoded red, green and blue, each in 0..=1.
+pub type Rgb = [f64; 3];
+
+/// A whole scene with every default filled in.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// The screen that the scene is drawn for.
+    pub display: Display,
+    /// The eye.
+    pub camera: Camera,
+    /// Parts of the picture, later ones over earlier ones; none: the whole
+    /// picture shows what `camera` sees.
+    pub viewports: Vec<Viewport>,
+    /// The ambient light `A`: the sum over all ambient lights of colour times
+    /// intensity; white if the file names none.
+    pub ambient: Rgb,
+    /// Lights other than ambient. A file without any `[[light]]` gets one
+    /// white headlight along the camera's line of sight.
+    pub lights: Vec<Light>,
+    /// Textures, each file once.
+    pub textures: Vec<Texture>,
+    /// Materials, in the file's order.
+    pub materials: Vec<Material>,
+    /// Meshes, each file once.
+    pub meshes: Vec<Mesh>,
+    /// Actors, in the file's order.
+    pub actors: Vec<Actor>,
+    /// What veils the distance.
+    pub fog: Option<Fog>,
+    /// What moves.
+    pub animation: Animation,
+    /// How the palette is made.
+    pub palette: Palette,
+}
