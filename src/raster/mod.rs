@@ -12,7 +12,6 @@ mod attributes;
 mod corners;
 mod edge;
 mod gradient;
-mod kernels;
 mod perspective;
 mod run;
 mod scan;

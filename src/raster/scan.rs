@@ -37,14 +37,16 @@ enum Planes<A> {
     Sliver,
 }
 
-/// Two edges between which rows are filled.
-struct Between<'e> {
-    left: &'e mut Edge,
-    right: &'e mut Edge,
+/// Two edges between which rows are filled. Handed on by value: edges behind pointers
+/// would be loaded and stored row by row.
+#[derive(Clone, Copy)]
+struct Between {
+    left: Edge,
+    right: Edge,
     width: i32,
 }
 
-impl Between<'_> {
+impl Between {
     /// The row's pixels, half-open; empty if the first is not below the second.
     #[inline(always)]
     fn span(&self) -> (i32, i32) {
@@ -66,21 +68,17 @@ pub(super) struct Span<'t> {
     pub place: [i32; 2],
 }
 
-/// How a triangle is filled.
-pub(super) trait Kernel {
-    /// What it needs to know on a row.
-    type Planes: Stepped;
-    /// On the row of the first pixel; `None` if it exceeds the formats.
-    fn setup(&self, plane: &Plane, row: i32) -> Option<Self::Planes>;
-    /// Fills a span.
-    fn draw(&mut self, span: Span<'_>, planes: &Self::Planes);
-    /// Fills a span of a triangle that `setup` gave up on.
-    fn sliver(&mut self, span: Span<'_>);
-}
-
-/// Walks the rows of a triangle.
+/// Walks the rows of a triangle. What changes over it is set up by `setup` when the
+/// first pixel is found, on its row; `draw` fills a span, and `sliver` one of a triangle
+/// for which `setup` exceeds the formats.
 #[inline(always)]
-pub(super) fn scan<K: Kernel>(target: &mut Target<'_>, shape: &Shape<'_>, kernel: &mut K) {
+pub(super) fn scan<A: Stepped>(
+    target: &mut Target<'_>,
+    shape: &Shape<'_>,
+    setup: impl Fn(&Plane, i32) -> Option<A>,
+    draw: impl Fn(Span<'_>, &A),
+    sliver: impl Fn(Span<'_>),
+) {
     let [top, middle, bottom] = shape.sorted;
     let (first, end) = shape.rows;
     let (width, stride) = (i32::from(target.width), i32::from(target.stride));
@@ -88,16 +86,17 @@ pub(super) fn scan<K: Kernel>(target: &mut Target<'_>, shape: &Shape<'_>, kernel
     let band_top = i32::from(target.top);
     let mut planes = Planes::Unknown;
     let mut long = Edge::new(top, bottom, first);
+    // If the middle vertex is to its right.
+    let long_is_left = shape.area > 0;
     for (from, to, upper, lower) in [(first, bend, top, middle), (bend, end, middle, bottom)] {
         if from >= to {
             continue;
         }
-        let mut short = Edge::new(upper, lower, from);
-        // The long edge is on the left if the middle vertex is to its right.
-        let (left, right) = if shape.area > 0 {
-            (&mut long, &mut short)
+        let short = Edge::new(upper, lower, from);
+        let (left, right) = if long_is_left {
+            (long, short)
         } else {
-            (&mut short, &mut long)
+            (short, long)
         };
         let mut sides = Between { left, right, width };
         let mut row = from;
@@ -107,9 +106,7 @@ pub(super) fn scan<K: Kernel>(target: &mut Target<'_>, shape: &Shape<'_>, kernel
                 let (left, right) = sides.span();
                 if left < right {
                     let plane = Plane::new(shape.sorted, shape.area);
-                    planes = kernel
-                        .setup(&plane, row)
-                        .map_or(Planes::Sliver, Planes::Stepped);
+                    planes = setup(&plane, row).map_or(Planes::Sliver, Planes::Stepped);
                     break;
                 }
                 sides.advance();
@@ -129,12 +126,17 @@ pub(super) fn scan<K: Kernel>(target: &mut Target<'_>, shape: &Shape<'_>, kernel
                     row,
                     to,
                 };
-                *at = step(target, rows, &mut sides, *at, kernel);
+                (*at, sides) = step(target, rows, sides, *at, &draw);
             }
             Planes::Sliver => {
-                sliver_rows(target, row..to, &mut sides, &mut |span| kernel.sliver(span));
+                sides = sliver_rows(target, row..to, sides, &sliver);
             }
         }
+        long = if long_is_left {
+            sides.left
+        } else {
+            sides.right
+        };
     }
 }
 
@@ -150,15 +152,15 @@ struct Rows {
     to: i32,
 }
 
-/// Draws rows with stepped attributes; gives them as they are after the last row.
+/// Draws rows with stepped attributes; gives all as it is after the last row.
 #[inline(always)]
-fn step<K: Kernel>(
+fn step<A: Stepped>(
     target: &mut Target<'_>,
     rows: Rows,
-    sides: &mut Between<'_>,
-    mut at: K::Planes,
-    kernel: &mut K,
-) -> K::Planes {
+    mut sides: Between,
+    mut at: A,
+    draw: &impl Fn(Span<'_>, &A),
+) -> (A, Between) {
     let mut start = rows.start;
     for row in rows.row..rows.to {
         let (left, right) = sides.span();
@@ -174,14 +176,14 @@ fn step<K: Kernel>(
                     depths,
                     place,
                 };
-                kernel.draw(span, &at);
+                draw(span, &at);
             }
         }
         at.advance();
         start += rows.stride;
         sides.advance();
     }
-    at
+    (at, sides)
 }
 
 /// Draws rows of a triangle whose attributes cannot be stepped.
@@ -190,9 +192,9 @@ fn step<K: Kernel>(
 fn sliver_rows(
     target: &mut Target<'_>,
     rows: Range<i32>,
-    sides: &mut Between<'_>,
-    sliver: &mut dyn FnMut(Span<'_>),
-) {
+    mut sides: Between,
+    sliver: &dyn Fn(Span<'_>),
+) -> Between {
     for row in rows {
         let (left, right) = sides.span();
         let start = (row - i32::from(target.top)) * i32::from(target.stride);
@@ -210,4 +212,5 @@ fn sliver_rows(
         }
         sides.advance();
     }
+    sides
 }

@@ -8,9 +8,9 @@
 //! 1991).
 
 use super::corners::{Corner, Corners, SurfaceKind};
-use super::gradient::{Plane, places};
+use super::gradient::places;
 use super::run::{MOST_ATTRIBUTES, RUN_FRACTION, Run};
-use super::scan::{Kernel, Shape, Span, scan};
+use super::scan::{Shape, Span, scan};
 use super::sliver::{mix, weights};
 use super::surface_planes::Surface;
 use super::triangle::{Drawn, Sides, shown, sort};
@@ -27,7 +27,7 @@ pub fn draw_surface(
     sides: Sides,
     kind: SurfaceKind,
     corners: &mut dyn FnMut() -> [Corner; 3],
-    shade: &mut dyn FnMut(&mut Run<'_>),
+    shade: &dyn Fn(&mut Run<'_>),
 ) -> Drawn {
     let (area, rows) = match shown(target, triangle, sides) {
         Ok(shown) => shown,
@@ -43,48 +43,22 @@ pub fn draw_surface(
         rows,
         perspective: corners.perspective,
     };
-    let mut kernel = Runs {
-        shape: &shape,
-        corners: &corners,
-        shade,
-    };
-    scan(target, &shape, &mut kernel);
+    let [top, ..] = shape.sorted;
+    let column = top.x.to_bits() >> SUBPX_BITS;
+    scan(
+        target,
+        &shape,
+        |plane, row| Surface::new(plane, &shape, &corners, row),
+        |span, surface| surface.runs(span, column, shade),
+        |span| sliver(span, &shape, &corners, shade),
+    );
     Drawn::Filled
-}
-
-/// The kernel.
-struct Runs<'a, 's> {
-    shape: &'a Shape<'a>,
-    corners: &'a Corners,
-    shade: &'s mut dyn FnMut(&mut Run<'_>),
-}
-
-impl Kernel for Runs<'_, '_> {
-    type Planes = Surface;
-
-    fn setup(&self, plane: &Plane, row: i32) -> Option<Surface> {
-        Surface::new(plane, self.shape, self.corners, row)
-    }
-
-    fn draw(&mut self, span: Span<'_>, surface: &Surface) {
-        let [top, ..] = self.shape.sorted;
-        surface.runs(span, top.x.to_bits() >> SUBPX_BITS, self.shade);
-    }
-
-    fn sliver(&mut self, span: Span<'_>) {
-        sliver(span, self.shape, self.corners, self.shade);
-    }
 }
 
 /// Hands on a span of a sliver, pixel by pixel.
 #[cold]
 #[inline(never)]
-fn sliver(
-    span: Span<'_>,
-    shape: &Shape<'_>,
-    corners: &Corners,
-    shade: &mut dyn FnMut(&mut Run<'_>),
-) {
+fn sliver(span: Span<'_>, shape: &Shape<'_>, corners: &Corners, shade: &dyn Fn(&mut Run<'_>)) {
     let (places, area) = places(shape.sorted, shape.area);
     let depths = shape.sorted.map(|v| i64::from(v.z.to_bits()));
     let Span {

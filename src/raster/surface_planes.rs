@@ -109,7 +109,7 @@ impl Surface {
     }
 
     /// Hands on a span in runs.
-    pub(super) fn runs(&self, span: Span<'_>, column: i32, shade: &mut dyn FnMut(&mut Run<'_>)) {
+    pub(super) fn runs(&self, span: Span<'_>, column: i32, shade: &dyn Fn(&mut Run<'_>)) {
         let Span {
             mut indices,
             mut depths,

@@ -1,9 +1,10 @@
 //! A triangle becomes spans.
 
-use super::kernels::{DepthOnly, Flat, Gouraud, InPerspective};
+use super::attributes::Attributes;
 use super::perspective;
-use super::scan::{Shape, scan};
-use super::span::Fill;
+use super::scan::{Shape, Span, scan};
+use super::sliver;
+use super::span::{self, Fill};
 use crate::frame::Target;
 use crate::math::{HALF_PX, SUBPX_BITS};
 use crate::vertex::ScreenVertex;
@@ -121,35 +122,53 @@ fn fill_triangle(
         rows,
         perspective: perspective && matches!(fill, Fill::Gouraud(_)) && perspective::shows(sorted),
     };
+    let columns = columns(&shape);
+    let sliver = |span: Span<'_>| sliver::span(span, &shape, fill);
     match fill {
+        Fill::Depth => {}
         Fill::Flat(index) => scan(
             target,
             &shape,
-            &mut Flat {
-                shape: &shape,
-                index,
+            |plane, row| Attributes::depth(plane, &shape, row),
+            |span, at| {
+                let z = at.z.at(columns(&span));
+                span::flat(span.indices, span.depths, z, at.z.gradient.x, index);
             },
+            sliver,
         ),
-        // Has a function of its own, so that this one stays as fast as it is.
-        Fill::Depth => {}
-        Fill::Gouraud(shades) if shape.perspective => {
-            scan(
-                target,
-                &shape,
-                &mut InPerspective {
-                    shape: &shape,
-                    shades,
-                },
-            );
-        }
+        Fill::Gouraud(shades) if shape.perspective => scan(
+            target,
+            &shape,
+            |plane, row| Attributes::for_perspective(plane, &shape, row),
+            |span, at| {
+                let (planes, columns) = ((&at.z, &at.level), columns(&span));
+                perspective::gouraud(span.indices, span.depths, planes, columns, shades);
+            },
+            sliver,
+        ),
         Fill::Gouraud(shades) => scan(
             target,
             &shape,
-            &mut Gouraud {
-                shape: &shape,
-                shades,
+            |plane, row| Attributes::depth_and_level(plane, &shape, row),
+            |span, at| {
+                let columns = columns(&span);
+                let z = (at.z.at(columns), at.z.gradient.x);
+                let level = (at.level.at(columns), at.level.gradient.x);
+                span::gouraud(span.indices, span.depths, z, level, shades);
             },
+            sliver,
         ),
+    }
+}
+
+/// From the attributes' place, the top vertex's column, to a span's first pixel.
+#[inline(always)]
+fn columns(shape: &Shape<'_>) -> impl Fn(&Span<'_>) -> i32 + Copy + use<> {
+    let [top, ..] = shape.sorted;
+    let column = top.x.to_bits() >> SUBPX_BITS;
+    move |span| {
+        let [left, _] = span.place;
+        left - column
     }
 }
 
@@ -167,7 +186,14 @@ pub fn draw_depth(target: &mut Target<'_>, triangle: [&ScreenVertex; 3], sides: 
         rows,
         perspective: false,
     };
-    scan(target, &shape, &mut DepthOnly { shape: &shape });
+    let columns = columns(&shape);
+    scan(
+        target,
+        &shape,
+        |plane, row| Attributes::depth(plane, &shape, row),
+        |span, at| span::depth(span.depths, at.z.at(columns(&span)), at.z.gradient.x),
+        |span| sliver::span(span, &shape, Fill::Depth),
+    );
     Drawn::Filled
 }
 

@@ -5,10 +5,10 @@ use super::meshlet_cache::MeshletCache;
 use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
 use super::surface::draw_surface_meshlet;
-use super::triangles::triangles;
+use super::triangles::{Draw, Triangle, triangles};
 use super::visible_list::Entry;
 use crate::frame::Target;
-use crate::raster::{Sides, draw_triangle};
+use crate::raster::{Drawn, Sides, draw_triangle};
 use crate::scene::{Cull, Meshlet, Scene, Shading};
 use crate::vertex::{TransformedMeshlet, transform_meshlet};
 use crate::view::{ActorView, round_level};
@@ -104,18 +104,45 @@ fn draw_plain_meshlet<P: Paint>(
         meshlet,
         ..
     } = *part;
-    let shades = scene.shade(&view.material);
-    let flat = view.material.shading == Shading::Flat;
-    let normals = scene.meshlet_face_normals(meshlet, &view.mesh);
-    let sides = part.sides();
-    triangles(scene, view, meshlet, part.transformed, stats, |triangle| {
+    let mut plain = Plain {
+        paint,
+        part,
+        target,
+        shades: scene.shade(&view.material),
+        flat: view.material.shading == Shading::Flat,
+        normals: scene.meshlet_face_normals(meshlet, &view.mesh),
+        sides: part.sides(),
+    };
+    triangles(scene, view, meshlet, part.transformed, stats, &mut plain);
+}
+
+/// What the triangles of a plain meshlet have in common.
+struct Plain<'a, 't, P> {
+    paint: &'a P,
+    part: &'a Part<'a>,
+    target: &'a mut Target<'t>,
+    shades: &'a [u8; 256],
+    flat: bool,
+    normals: &'a [u32],
+    sides: Sides,
+}
+
+impl<P: Paint> Draw for Plain<'_, '_, P> {
+    #[inline(always)]
+    fn draw(&mut self, triangle: &Triangle<'_>) -> Drawn {
+        let (part, view) = (self.part, self.part.view);
         let fill = || {
-            let level = flat.then(|| {
-                let normal = normals.get(triangle.number).copied().unwrap_or_default();
-                round_level(view.lights.face_level(u32::from_le(normal)))
+            let level = self.flat.then(|| {
+                let normal = self.normals.get(triangle.number).copied();
+                round_level(
+                    view.lights
+                        .face_level(u32::from_le(normal.unwrap_or_default())),
+                )
             });
-            paint.fill(shades, level, part.ids(triangle.number))
+            self.paint
+                .fill(self.shades, level, part.ids(triangle.number))
         };
-        draw_triangle(target, triangle.corners, sides, view.perspective, fill)
-    });
+        let corners = triangle.corners;
+        draw_triangle(self.target, corners, self.sides, view.perspective, fill)
+    }
 }

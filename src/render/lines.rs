@@ -4,12 +4,12 @@
 use super::draw::Part;
 use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
-use super::triangles::{Triangle, clip_vertices, corner, triangles};
+use super::triangles::{Draw, Triangle, clip_vertices, corner, triangles};
 use crate::clip::clip_line;
 use crate::frame::Target;
 use crate::line::{DepthRule, Line, Mark, draw_line, draw_mark};
 use crate::math::{FineDepth, SUBPX_BITS};
-use crate::raster::{Fill, Sides, draw_depth, draw_triangle};
+use crate::raster::{Drawn, Fill, Sides, draw_depth, draw_triangle};
 use crate::scene::layout::CHAINED;
 use crate::scene::{Look, Representation, Scene};
 use crate::vertex::ScreenVertex;
@@ -160,27 +160,45 @@ pub(super) fn draw_hidden<P: Paint>(
     target: &mut Target<'_>,
     stats: &mut FrameStats,
 ) {
-    const BOTH: Sides = Sides {
-        front: true,
-        back: true,
-    };
     let (scene, view) = (part.scene, part.view);
-    let width = i64::from(look.line_width);
+    let mut hidden = Hidden {
+        paint,
+        part,
+        target,
+        width: look.line_width.into(),
+    };
     triangles(
         scene,
         view,
         part.meshlet,
         part.transformed,
         stats,
-        |triangle| {
-            let corners = sunk(&triangle, width);
-            let fill = paint.hidden(part.ids(triangle.number));
-            if let Fill::Depth = fill {
-                return draw_depth(target, corners.each_ref(), BOTH);
-            }
-            draw_triangle(target, corners.each_ref(), BOTH, false, || fill)
-        },
+        &mut hidden,
     );
+}
+
+/// What the faces of a hidden-line meshlet have in common.
+struct Hidden<'a, 't, P> {
+    paint: &'a P,
+    part: &'a Part<'a>,
+    target: &'a mut Target<'t>,
+    /// Of its lines, as the look has it.
+    width: i64,
+}
+
+impl<P: Paint> Draw for Hidden<'_, '_, P> {
+    fn draw(&mut self, triangle: &Triangle<'_>) -> Drawn {
+        const BOTH: Sides = Sides {
+            front: true,
+            back: true,
+        };
+        let corners = sunk(triangle, self.width);
+        let fill = self.paint.hidden(self.part.ids(triangle.number));
+        if let Fill::Depth = fill {
+            return draw_depth(self.target, corners.each_ref(), BOTH);
+        }
+        draw_triangle(self.target, corners.each_ref(), BOTH, false, || fill)
+    }
 }
 
 /// A triangle's corners, all deeper by `(|dz/dx| + |dz/dy|) * width / 2`, at most the

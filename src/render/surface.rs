@@ -1,15 +1,17 @@
 //! Meshlets of materials that need more than a level a corner.
 
+use core::cell::OnceCell;
+
 use super::draw::Part;
 use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
-use super::triangles::{Triangle, triangles};
+use super::triangles::{Draw, Triangle, triangles};
 use crate::clip::WEIGHT_BITS;
 use crate::frame::Target;
 use crate::light::{Parts, Patch, SurfaceLights, face_normal, sum};
 use crate::math::FineLevel;
 use crate::raster::{
-    Corner, MOST_ATTRIBUTES, Run, SurfaceKind, Values, draw_surface, draw_triangle,
+    Corner, Drawn, MOST_ATTRIBUTES, Run, Sides, SurfaceKind, Values, draw_surface, draw_triangle,
 };
 use crate::scene::NO_TEXEL;
 use crate::scene::layout::{COLOURS, TEXTURE_SHADES};
@@ -55,34 +57,70 @@ pub(super) fn draw_surface_meshlet<P: Paint>(
     } else {
         Way::Levels(scene.shade(material))
     };
-    let kind = SurfaceKind {
-        attributes: attributes.count(),
-        footprint: sampler.as_ref().is_some_and(|s| s.texture.copies > 1),
+    let mut surfaces = Surfaces {
+        paint,
+        target,
+        surface: &surface,
+        corners: &corners,
+        sampler: sampler.as_ref(),
+        way,
+        kind: SurfaceKind {
+            attributes: attributes.count(),
+            footprint: sampler.as_ref().is_some_and(|s| s.texture.copies > 1),
+        },
+        sides: part.sides(),
     };
-    let sides = part.sides();
-    triangles(scene, view, meshlet, part.transformed, stats, |triangle| {
+    triangles(scene, view, meshlet, part.transformed, stats, &mut surfaces);
+}
+
+/// What the triangles of such a meshlet have in common.
+struct Surfaces<'a, 't, P> {
+    paint: &'a P,
+    target: &'a mut Target<'t>,
+    surface: &'a Surface<'a>,
+    corners: &'a CornerSource<'a>,
+    sampler: Option<&'a Sampler<'a>>,
+    way: Way<'a>,
+    kind: SurfaceKind,
+    sides: Sides,
+}
+
+impl<P: Paint> Draw for Surfaces<'_, '_, P> {
+    fn draw(&mut self, triangle: &Triangle<'_>) -> Drawn {
+        let part = self.corners.part;
         let ids = part.ids(triangle.number);
-        if let (Way::Levels(shades), Lighting::Face) = (way, attributes.lighting) {
+        let lighting = self.surface.attributes.lighting;
+        if let (Way::Levels(shades), Lighting::Face) = (self.way, lighting) {
             let fill = || {
-                let Parts { body, gloss } = corners.face(&triangle);
+                let Parts { body, gloss } = self.corners.face(triangle);
                 let [level, ..] = sum(body, gloss);
-                paint.fill(shades, Some(round_level(FineLevel::from_bits(level))), ids)
+                let level = round_level(FineLevel::from_bits(level));
+                self.paint.fill(shades, Some(level), ids)
             };
-            return draw_triangle(target, triangle.corners, sides, view.perspective, fill);
+            let perspective = part.view.perspective;
+            return draw_triangle(self.target, triangle.corners, self.sides, perspective, fill);
         }
-        let mut face = None;
+        let face = OnceCell::new();
         draw_surface(
-            target,
+            self.target,
             triangle.corners,
-            sides,
-            kind,
-            &mut || corners.of(&triangle),
-            &mut |run| {
-                let face = *face.get_or_insert_with(|| corners.face(&triangle));
-                draw_run(paint, ids, way, &surface, sampler.as_ref(), face, run);
+            self.sides,
+            self.kind,
+            &mut || self.corners.of(triangle),
+            &|run| {
+                let face = *face.get_or_init(|| self.corners.face(triangle));
+                draw_run(
+                    self.paint,
+                    ids,
+                    self.way,
+                    self.surface,
+                    self.sampler,
+                    face,
+                    run,
+                );
             },
         )
-    });
+    }
 }
 
 /// The way from light to an index.

@@ -20,7 +20,14 @@ pub(super) struct Triangle<'a> {
     pub cuts: Option<[&'a Cut; 3]>,
 }
 
-/// Hands each triangle that may be seen to `draw`.
+/// What is done with triangles. Not a closure, because those that are called in two
+/// places are not inlined, and a fine mesh has many triangles.
+pub(super) trait Draw {
+    /// Draws one.
+    fn draw(&mut self, triangle: &Triangle<'_>) -> Drawn;
+}
+
+/// Hands each triangle that may be seen to `to`.
 #[inline(always)]
 pub(super) fn triangles(
     scene: &Scene<'_>,
@@ -28,7 +35,7 @@ pub(super) fn triangles(
     meshlet: &Meshlet,
     transformed: &TransformedMeshlet,
     stats: &mut FrameStats,
-    mut draw: impl FnMut(Triangle<'_>) -> Drawn,
+    to: &mut impl Draw,
 ) {
     stats.triangles += u32::from(meshlet.triangles);
     for (number, indices) in scene.meshlet_triangles(meshlet).iter().enumerate() {
@@ -38,14 +45,13 @@ pub(super) fn triangles(
             stats.triangles_outside += 1;
             continue;
         }
-        let mut triangle = Triangle {
-            number,
-            indices,
-            corners,
-            cuts: None,
-        };
         if a | b | c == 0 {
-            stats.count(draw(triangle));
+            stats.count(to.draw(&Triangle {
+                number,
+                indices,
+                corners,
+                cuts: None,
+            }));
             continue;
         }
         stats.triangles_clipped += 1;
@@ -56,13 +62,12 @@ pub(super) fn triangles(
             continue;
         };
         for (b, c) in all {
-            triangle = Triangle {
+            stats.count(to.draw(&Triangle {
                 number,
                 indices,
                 corners: [first.0, b.0, c.0],
                 cuts: Some([first.1, b.1, c.1]),
-            };
-            stats.count(draw(triangle));
+            }));
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Attributes in perspective against f64: at every pixel of every run, whatever the
 //! triangle, its distances and its attributes.
 
+use std::cell::RefCell;
+
 use proptest::prelude::*;
 
 use super::{BOTH, raw};
@@ -29,21 +31,21 @@ fn drawn(vertices: &[ScreenVertex; 3], corners: [Corner; 3]) -> Vec<Seen> {
         attributes: COUNT,
         footprint: false,
     };
-    let mut seen = Vec::new();
+    let seen = RefCell::new(Vec::new());
     draw_surface(
         &mut target,
         vertices.each_ref(),
         BOTH,
         kind,
         &mut || corners,
-        &mut |run| {
+        &|run| {
             let one = f64::from(1 << RUN_FRACTION);
             let length = run.indices.len();
             for number in 0..length {
                 let [column, row] = run.place;
                 let each = |i: usize| [run.from[i], run.step[i]].map(|v| f64::from(v) / one);
                 let all: [_; COUNT] = std::array::from_fn(each);
-                seen.push(Seen {
+                seen.borrow_mut().push(Seen {
                     place: [column + number as i32, row],
                     values: all.map(|[from, step]| from + step * number as f64),
                     reach: all.map(|[_, step]| step.abs() * length as f64),
@@ -51,7 +53,7 @@ fn drawn(vertices: &[ScreenVertex; 3], corners: [Corner; 3]) -> Vec<Seen> {
             }
         },
     );
-    seen
+    seen.into_inner()
 }
 
 /// How much longer than high: the square of the longest side over the doubled area.

@@ -41,9 +41,9 @@ pub struct Mesh {
 pub struct Actor {
     /// Its name in the file, or made from its index.
     pub name: String,
-    /// Index into [`Scene::meshes`].
+    /// Index into [`Scene::meshes`](super::Scene::meshes).
     pub mesh: usize,
-    /// Index into [`Scene::materials`].
+    /// Index into [`Scene::materials`](super::Scene::materials).
     pub material: usize,
     /// The point that scaling and turning leave in place.
     pub origin: [f64; 3],

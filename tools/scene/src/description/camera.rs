@@ -41,9 +41,9 @@ pub struct Viewport {
     /// within 0..=1; (x, y) is the lower left corner and y points up, as VTK has
     /// it. In pixels, each side is at the line between pixels that is nearest.
     pub rectangle: [f64; 4],
-    /// Its own eye; `None`: [`Scene::camera`].
+    /// Its own eye; `None`: [`Scene::camera`](super::Scene::camera).
     pub camera: Option<Camera>,
-    /// Its own background; `None`: [`Display::background`], a gradient of which
+    /// Its own background; `None`: [`Display::background`](super::Display::background), a gradient of which
     /// runs from the viewport's top edge to its bottom edge.
     pub background: Option<Background>,
     /// How the camera's picture is brought into it.
