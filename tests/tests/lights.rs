@@ -48,6 +48,7 @@ fn lights() -> impl Strategy<Value = Vec<Light>> {
         kind: LightKind::Directional { direction },
         colour: [1.0; 3],
         intensity,
+        edges: None,
     });
     prop::collection::vec(light, 0..=8)
 }

@@ -10,7 +10,7 @@ use fixel::scene as core_scene;
 use fixel::scene::layout::CHAINED;
 use fixel_scene::{
     Actor, Aspect, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Look, Mark,
-    Material, Mesh, Palette, Projection, Representation, Rgb, Scene, Shading, Space, Stereo,
+    Material, Mesh, Palette, Projection, Ray, Representation, Rgb, Scene, Shading, Space, Stereo,
     Viewport,
 };
 
@@ -81,6 +81,7 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
             .fog()
             .map(|fog| crate::fog::unbake(&fog, |bits| places.length(bits))),
         animation: motion::animation(blob, &places),
+        ray: Ray::default(),
         palette: Palette {
             colours: blob.palette().len() as u32,
             fixed: blob.palette().to_vec(),
@@ -192,6 +193,7 @@ fn light(light: &core_scene::Light, scene_unit: f64, position: [f64; 3]) -> Ligh
         },
         colour: strength.map(|c| if intensity > 0.0 { c / intensity } else { 1.0 }),
         intensity,
+        edges: None,
     }
 }
 

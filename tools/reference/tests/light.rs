@@ -143,6 +143,7 @@ fn a_spot_is_a_cone_with_a_sharp_edge() {
         },
         colour: [1.0, 0.5, 0.0],
         intensity: 1.0,
+        edges: None,
     };
     let mut colour = |light| {
         scene.lights = vec![light];

@@ -101,6 +101,7 @@ fn light_from_behind_gives_none_and_much_light_is_clamped() {
         kind,
         colour: [1.0, 0.5, 0.25],
         intensity: 2.0,
+        edges: None,
     }];
     let hit = *truth(&scene).hit(0, 0).unwrap();
     assert_eq!(hit.level, 255.0);

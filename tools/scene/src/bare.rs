@@ -6,7 +6,7 @@ use std::path::Path;
 use glam::DVec3;
 
 use crate::description::{
-    Actor, Animation, Background, ColourFormat, Display, Light, LightKind, Material, Palette,
+    Actor, Animation, Background, ColourFormat, Display, Light, LightKind, Material, Palette, Ray,
     Scene, Stereo,
 };
 use crate::error::Error;
@@ -68,6 +68,7 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
             },
             colour: [1.0; 3],
             intensity: 1.0,
+            edges: None,
         }],
         textures,
         materials: vec![material],
@@ -76,5 +77,6 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
         fog: None,
         animation: Animation::default(),
         palette: Palette::default(),
+        ray: Ray::default(),
     })
 }

@@ -33,6 +33,7 @@ fn scene() -> Scene {
             kind: LightKind::Directional { direction },
             colour,
             intensity: 1.0,
+            edges: None,
         })
         .collect();
     scene.display.background = Background::Solid([0.0, 0.25, 0.0]);
@@ -137,6 +138,7 @@ fn light_is_as_the_material_says() {
         },
         colour: [1.0, 1.0, 0.5],
         intensity: 4.0,
+        edges: None,
     };
     let without = DVec3::new(0.125, 0.0625 + 0.125, 0.0);
     for (cone_angle, beam) in [(59.9, 0.0), (60.1, 0.25)] {

@@ -5,7 +5,7 @@
 use fixel_reference::{Options, Truth, render};
 use fixel_scene::{
     Actor, Animation, Background, Camera, ColourFormat, Display, Light, LightKind, Material, Mesh,
-    Palette, Projection, Scene, Shading, Stereo,
+    Palette, Projection, Ray, Scene, Shading, Stereo,
 };
 
 /// Distance of the plane z = 0 from the eye in [`parallel`] and [`perspective`].
@@ -59,6 +59,7 @@ fn scene(width: u32, height: u32, projection: Projection) -> Scene {
         fog: None,
         animation: Animation::default(),
         palette: Palette::default(),
+        ray: Ray::default(),
     }
 }
 
@@ -77,6 +78,7 @@ pub fn white_light(direction: [f64; 3]) -> Light {
         kind: LightKind::Directional { direction },
         colour: [1.0; 3],
         intensity: 1.0,
+        edges: None,
     }
 }
 

@@ -29,8 +29,26 @@ pub struct Mesh {
     /// places, without those that only divide a polygon into triangles; or
     /// lines by themselves.
     pub edges: Vec<[u32; 2]>,
-    /// The radius, if the triangles stand for a sphere about the origin.
-    pub sphere: Option<f64>,
+    /// What the triangles stand for: the ray caster meets this instead of them.
+    pub primitive: Option<Primitive>,
+}
+
+/// A shape that is known exactly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Primitive {
+    /// A sphere about the origin. Its normals point outward.
+    Sphere {
+        /// Above 0.
+        radius: f64,
+    },
+    /// A rectangle about the origin in the plane y = 0, which faces +y. Its texture
+    /// coordinates are (0, 0) at -x, +z, (1, 0) at +x, +z, (0, 1) at -x, -z.
+    Rectangle {
+        /// Along x, above 0.
+        width: f64,
+        /// Along z, above 0.
+        depth: f64,
+    },
 }
 
 /// A mesh placed in its parent's space, or in the world: a point goes to `origin`,

@@ -11,6 +11,10 @@ pub struct Light {
     pub colour: Rgb,
     /// Multiplies the colour; 0 or more, may exceed 1. Default 1.
     pub intensity: f64,
+    /// Of a light that has a place, two edges, in world space: it then is a
+    /// parallelogram about its position, and gives soft shadows. Only the ray
+    /// caster shows them; anything else takes the position.
+    pub edges: Option<[[f64; 3]; 2]>,
 }
 
 /// Kinds of light. At a surface point, `l` is the unit vector towards the

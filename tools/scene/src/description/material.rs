@@ -43,6 +43,12 @@ pub struct Material {
     /// What multiplies its ambient and diffuse colour from place to place. Every
     /// mesh that it is on, as a surface, has texture coordinates.
     pub texture: Option<Texturing>,
+    /// The part of what is seen that the surface mirrors, 0..=1. Default 0. Only
+    /// the ray caster shows it.
+    pub reflectivity: f64,
+    /// Refractive index of what the surface encloses, 1..=4. Default 1: what is
+    /// seen through it is where it is. Only the ray caster shows it.
+    pub refractive_index: f64,
 }
 
 impl Default for Material {
@@ -61,6 +67,8 @@ impl Default for Material {
             shading: Shading::Gouraud,
             cull: Cull::Back,
             texture: None,
+            reflectivity: 0.0,
+            refractive_index: 1.0,
         }
     }
 }

@@ -14,6 +14,7 @@ mod fog;
 mod light;
 mod material;
 mod palette;
+mod ray;
 
 pub use actor::*;
 pub use animation::*;
@@ -23,6 +24,7 @@ pub use fog::*;
 pub use light::*;
 pub use material::*;
 pub use palette::*;
+pub use ray::*;
 
 use crate::texture::Texture;
 
@@ -59,4 +61,6 @@ pub struct Scene {
     pub animation: Animation,
     /// How the palette is made.
     pub palette: Palette,
+    /// How rays are cast.
+    pub ray: Ray,
 }

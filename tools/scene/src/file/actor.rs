@@ -14,6 +14,7 @@ pub(super) const ACTOR: Keys = Keys {
         "name",
         "mesh",
         "sphere",
+        "plane",
         "detail",
         "polygon",
         "holes",
@@ -44,24 +45,31 @@ pub(super) enum Shape<'t> {
 /// Triangles of a sphere: 20 times 4 to the power of this.
 const DETAIL: u32 = 3;
 
-/// A mesh's file, a sphere or a polygon.
+/// A mesh's file, a sphere, a plane or a polygon.
 pub(super) fn shape<'t>(table: &Table<'t, '_>) -> Result<Shape<'t>, Error> {
     let example = "meshes/teapot.obj";
-    let given = ["mesh", "sphere", "polygon"].map(|key| table.has(key));
-    if given.iter().filter(|given| **given).count() > 1 {
-        let what = "is one mesh too many; expected one of mesh, sphere and polygon";
-        let key = if given[2] { "polygon" } else { "sphere" };
-        return Err(table.error(key, what));
+    let shapes = ["mesh", "sphere", "plane", "polygon"];
+    let mut given = shapes.into_iter().filter(|key| table.has(key));
+    if let (Some(_), Some(second)) = (given.next(), given.next()) {
+        let what = "is one mesh too many; expected one of mesh, sphere, plane and polygon";
+        return Err(table.error(second, what));
     }
-    for (key, owner) in [("detail", "sphere"), ("holes", "polygon")] {
-        if table.has(key) && !table.has(owner) {
-            let what = format!("says nothing here; expected it with {owner}");
+    for (key, owners) in [
+        ("detail", ["sphere", "plane"].as_slice()),
+        ("holes", &["polygon"]),
+    ] {
+        if table.has(key) && !owners.iter().any(|owner| table.has(owner)) {
+            let owners = owners.join(" or ");
+            let what = format!("says nothing here; expected it with {owners}");
             return Err(table.error(key, what));
         }
     }
     if let Some(radius) = table.number("sphere", super::FACTOR)? {
         let detail = table.whole("detail", 0..=6)?.unwrap_or(DETAIL);
         return Ok(Shape::Made(mesh::sphere(radius, detail)));
+    }
+    if table.has("plane") {
+        return plane(table).map(Shape::Made);
     }
     if table.has("polygon") {
         return polygon(table).map(Shape::Made);
@@ -73,6 +81,18 @@ pub(super) fn shape<'t>(table: &Table<'t, '_>) -> Result<Shape<'t>, Error> {
             Err(table.error("mesh", what))
         }
     }
+}
+
+fn plane(table: &Table<'_, '_>) -> Result<Mesh, Error> {
+    let example = "[4, 3]";
+    let sides = table.numbers::<2>("plane", f64::MAX, example)?;
+    let sides = sides.unwrap_or_default();
+    if let Some(side) = sides.iter().find(|side| !super::FACTOR.contains(*side)) {
+        let what = format!("{side} is out of range (1e-6..=1e6)");
+        return Err(table.error("plane", format!("{what}; expected e.g. plane = {example}")));
+    }
+    let detail = table.whole("detail", 0..=6)?.unwrap_or(0);
+    Ok(mesh::rectangle(sides, detail))
 }
 
 fn polygon(table: &Table<'_, '_>) -> Result<Mesh, Error> {

@@ -2,6 +2,7 @@
 
 use std::ops::RangeInclusive;
 
+use super::annotation::places;
 use super::colour::colour;
 use super::table::{Keys, Neutral, Table};
 use crate::description::{Attenuation, Light, LightKind, Rgb};
@@ -17,12 +18,9 @@ pub(super) const LIGHT: Keys = Keys {
         "attenuation",
         "cone_angle",
         "exponent",
+        "edges",
     ],
-    later: &[
-        ("focal_point", Neutral::Never),
-        ("radius", Neutral::Number(0.0)),
-        ("shadow", Neutral::Never),
-    ],
+    later: &[("focal_point", Neutral::Never)],
 };
 
 /// A cone of 90 degrees or more is not VTK's spot any more.
@@ -62,7 +60,7 @@ impl Kind {
         match self {
             Self::Directional => (
                 "a directional light",
-                &["position", "attenuation", "cone_angle", "exponent"],
+                &["position", "attenuation", "cone_angle", "exponent", "edges"],
             ),
             Self::Ambient => (
                 "an ambient light",
@@ -72,23 +70,12 @@ impl Kind {
                     "attenuation",
                     "cone_angle",
                     "exponent",
+                    "edges",
                 ],
             ),
             Self::Point => ("a point light", &["direction", "cone_angle", "exponent"]),
             Self::Spot => ("a spot light", &[]),
         }
-    }
-}
-
-/// The kind is looked at before the other keys, so that a light of a later
-/// kind is named as such, not by the first of its keys.
-pub(super) fn check_kind(kind: Option<&str>) -> Result<(), String> {
-    match kind {
-        Some(kind @ "area") => Err(format!(
-            "\"{kind}\" is not supported yet; \
-             expected \"directional\" or \"ambient\" or \"point\" or \"spot\""
-        )),
-        _ => Ok(()),
     }
 }
 
@@ -125,6 +112,7 @@ pub(super) fn light(table: &Table<'_, '_>) -> Result<Parsed, Error> {
         kind,
         colour,
         intensity,
+        edges: edges(table)?,
     }))
 }
 
@@ -153,6 +141,21 @@ fn position(table: &Table<'_, '_>) -> Result<[f64; 3], Error> {
                 format!("is missing; expected the light's place, e.g. position = {example}"),
             )
         })
+}
+
+fn edges(table: &Table<'_, '_>) -> Result<Option<[[f64; 3]; 2]>, Error> {
+    let example = "[[1, 0, 0], [0, 0, 1]]";
+    if !table.has("edges") {
+        return Ok(None);
+    }
+    let found = places(table, "edges", (3, super::LENGTH), example)?;
+    match found.as_slice() {
+        [first, second] => Ok(Some([*first, *second])),
+        _ => {
+            let what = format!("has {} edges where 2 belong", found.len());
+            Err(table.error("edges", format!("{what}; expected e.g. edges = {example}")))
+        }
+    }
 }
 
 fn attenuation(table: &Table<'_, '_>) -> Result<Attenuation, Error> {

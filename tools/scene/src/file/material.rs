@@ -11,6 +11,8 @@ use crate::texture::Texture;
 
 /// OpenGL's and VTK's sharpest highlight.
 const POWER: RangeInclusive<f64> = 1.0..=128.0;
+/// From the air's to the most that a gem has, and more.
+const REFRACTIVE_INDEX: RangeInclusive<f64> = 1.0..=4.0;
 
 pub(super) const MATERIAL: Keys = Keys {
     known: &[
@@ -27,12 +29,10 @@ pub(super) const MATERIAL: Keys = Keys {
         "shading",
         "cull",
         "texture",
+        "reflectivity",
+        "refractive_index",
     ],
-    later: &[
-        ("opacity", Neutral::Number(1.0)),
-        ("reflectivity", Neutral::Number(0.0)),
-        ("refractive_index", Neutral::Number(1.0)),
-    ],
+    later: &[("opacity", Neutral::Number(1.0))],
 };
 
 /// Reads one material; `index` names it if it has no name.
@@ -62,6 +62,12 @@ pub(super) fn material(
         ("specular", &mut material.specular, 0.0..=1.0),
         ("specular_power", &mut material.specular_power, POWER),
         ("emission", &mut material.emission, 0.0..=1.0),
+        ("reflectivity", &mut material.reflectivity, 0.0..=1.0),
+        (
+            "refractive_index",
+            &mut material.refractive_index,
+            REFRACTIVE_INDEX,
+        ),
     ] {
         if let Some(number) = table.number(key, range)? {
             *coefficient = number;

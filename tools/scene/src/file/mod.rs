@@ -14,6 +14,7 @@ mod material;
 mod palette;
 mod palette_file;
 mod panel;
+mod ray;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -33,7 +34,7 @@ use crate::framing::Bounds;
 use crate::look::Representation;
 use crate::mesh::{self, Surface};
 use crate::texture::Texture;
-use table::{Keys, Neutral, Source, Table};
+use table::{Keys, Source, Table};
 
 /// Lengths and coordinates stay within this, either side of 0.
 const LENGTH: f64 = 1e9;
@@ -61,8 +62,9 @@ const ROOT: Keys = Keys {
         "palette",
         "viewport",
         "fog",
+        "ray",
     ],
-    later: &[("plane", Neutral::Never), ("ray", Neutral::Never)],
+    later: &[],
 };
 
 /// Reads the scene file's text and the meshes that it names. Adds to `notes`
@@ -95,6 +97,8 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
     let camera = camera::camera(camera.as_ref(), &bounds, aspect, &animation)?;
     let fog = one(&root, "fog", &fog::FOG)?;
     let fog = fog.as_ref().map(fog::fog).transpose()?;
+    let ray = one(&root, "ray", &ray::RAY)?;
+    let ray = ray::ray(ray.as_ref())?;
     let viewports = viewport::viewports(&root, &bounds, &display)?;
     let lights = lights.unwrap_or_else(|| vec![headlight(&camera)]);
     Ok(Scene {
@@ -110,6 +114,7 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
         fog,
         animation,
         palette,
+        ray,
     })
 }
 
@@ -194,12 +199,6 @@ fn lights(root: &Table<'_, '_>) -> Result<([f64; 3], Option<Vec<Light>>), Error>
     let tables = many(root, "light")?;
     let none = tables.is_empty();
     for (table, header) in tables {
-        if let Some(kind) = table.get("kind") {
-            light::check_kind(kind.get_ref().as_str()).map_err(|what| {
-                let message = format!("light.kind: {what}");
-                root.source.error(kind.span().start, message)
-            })?;
-        }
         let table = Table::new(root.source, "light", table, header, &light::LIGHT)?;
         match light::light(&table)? {
             light::Parsed::Ambient(rgb) => {
@@ -223,6 +222,7 @@ pub(crate) fn headlight(camera: &Camera) -> Light {
         },
         colour: [1.0; 3],
         intensity: 1.0,
+        edges: None,
     }
 }
 

@@ -24,7 +24,7 @@ use crate::error::Error;
 pub(crate) use finish::forget_texture_coordinates;
 pub(crate) use surface::Surface;
 
-pub(crate) use primitive::{polygon, sphere};
+pub(crate) use primitive::{polygon, rectangle, sphere};
 
 /// More than this is a mistake, not a scene for a microcontroller.
 const MAX_TRIANGLES: usize = 4_000_000;

@@ -1,4 +1,4 @@
-//! Meshes that a scene file gives by numbers: spheres and polygons.
+//! Meshes that a scene file gives by numbers: spheres, rectangles and polygons.
 
 use std::collections::HashMap;
 
@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::finish::finish;
 use super::{Refusal, Soup, polygon as polygons};
-use crate::description::Mesh;
+use crate::description::{Mesh, Primitive};
 
 /// A sphere about the origin: an icosahedron whose triangles are divided into
 /// four `detail` times, all vertices on the sphere, with the sphere's normals.
@@ -39,7 +39,47 @@ pub(crate) fn sphere(radius: f64, detail: u32) -> Mesh {
         positions: directions.iter().map(|d| (*d * radius).into()).collect(),
         normals: directions.iter().map(|d| (*d).into()).collect(),
         triangles,
-        sphere: Some(radius),
+        primitive: Some(Primitive::Sphere { radius }),
+        ..Mesh::default()
+    }
+}
+
+/// A rectangle in the plane y = 0 that faces +y, cut into 2 to the power of `detail`
+/// cells each way, of two triangles each.
+pub(crate) fn rectangle([width, depth]: [f64; 2], detail: u32) -> Mesh {
+    let cells = 1_u32 << detail;
+    let places = || (0..=cells).map(|i| f64::from(i) / f64::from(cells));
+    let coordinates: Vec<[f64; 2]> = places()
+        .flat_map(|v| places().map(move |u| [u, v]))
+        .collect();
+    let vertex = |column: u32, row: u32| row * (cells + 1) + column;
+    let mut triangles = Vec::new();
+    let mut edges = Vec::new();
+    for (row, column) in (0..=cells).flat_map(|row| (0..=cells).map(move |c| (row, c))) {
+        let here = vertex(column, row);
+        let [right, up] = [vertex(column + 1, row), vertex(column, row + 1)];
+        if column < cells {
+            edges.push([here, right]);
+        }
+        if row < cells {
+            edges.push([here, up]);
+        }
+        if column < cells && row < cells {
+            let across = vertex(column + 1, row + 1);
+            triangles.extend([[here, right, across], [here, across, up]]);
+        }
+    }
+    Mesh {
+        name: format!("rectangle {width} {depth} {detail}"),
+        positions: coordinates
+            .iter()
+            .map(|[u, v]| [(u - 0.5) * width, 0.0, (0.5 - v) * depth])
+            .collect(),
+        normals: vec![[0.0, 1.0, 0.0]; coordinates.len()],
+        texture_coordinates: coordinates,
+        triangles,
+        edges,
+        primitive: Some(Primitive::Rectangle { width, depth }),
         ..Mesh::default()
     }
 }

@@ -73,9 +73,26 @@ messages! {
     light_without_kind: "\n[[light]]\ndirection = [0, 0, -1]"
         => "t.toml:2: light.kind: is missing; \
             expected e.g. kind = \"directional\" or kind = \"ambient\"";
-    area_light: "[[light]]\nradius = 1\nkind = \"area\""
-        => "t.toml:3: light.kind: \"area\" is not supported yet; \
-            expected \"directional\" or \"ambient\" or \"point\" or \"spot\"";
+    one_edge: "[[light]]\nkind = \"point\"\nposition = [0, 1, 0]\nedges = [[1, 0, 0]]"
+        => "t.toml:4: light.edges: has 1 edges where 2 belong; \
+            expected e.g. edges = [[1, 0, 0], [0, 0, 1]]";
+    edges_of_the_sun: "[[light]]\nkind = \"directional\"\nedges = [[1, 0, 0], [0, 0, 1]]"
+        => "t.toml:3: light.edges: a directional light has none; expected no such key";
+    refractive_index: "[[material]]\nrefractive_index = 0.5"
+        => "t.toml:2: material.refractive_index: 0.5 is out of range; \
+            expected a number in 1..=4";
+    plane_of_three: "[[actor]]\nplane = [1, 2, 3]"
+        => "t.toml:2: actor.plane: has 3 numbers where 2 belong; \
+            expected e.g. plane = [4, 3]";
+    plane_without_area: "[[actor]]\nplane = [1, 0]"
+        => "t.toml:2: actor.plane: 0 is out of range (1e-6..=1e6); \
+            expected e.g. plane = [4, 3]";
+    ray_depth: "[ray]\ndepth = 9"
+        => "t.toml:2: ray.depth: 9 is out of range; expected a whole number in 1..=8";
+    ray_samples: "[ray]\nsamples = 5"
+        => "t.toml:2: ray.samples: 5 is out of range; expected 1, 4, 8 or 16";
+    ray_shadows: "[ray]\nshadows = 1"
+        => "t.toml:2: ray.shadows: is neither true nor false; expected e.g. shadows = true";
     point_without_position: "[[light]]\nkind = \"point\""
         => "t.toml:1: light.position: is missing; \
             expected the light's place, e.g. position = [0, 4, 2]";
@@ -217,9 +234,9 @@ messages! {
             expected e.g. scale = 2 or scale = [1, 2, 1]";
     two_meshes: "[[actor]]\nmesh = \"meshes/cube.obj\"\nsphere = 1"
         => "t.toml:3: actor.sphere: is one mesh too many; \
-            expected one of mesh, sphere and polygon";
+            expected one of mesh, sphere, plane and polygon";
     detail_of_nothing: "[[actor]]\nmesh = \"meshes/cube.obj\"\ndetail = 1"
-        => "t.toml:3: actor.detail: says nothing here; expected it with sphere";
+        => "t.toml:3: actor.detail: says nothing here; expected it with sphere or plane";
     hole_of_two: "[[actor]]\npolygon = [[0, 0, 0], [9, 0, 0], [0, 9, 0]]\n\
                   holes = [[[1, 1, 0], [2, 1, 0]]]"
         => "t.toml:3: actor.holes: has fewer than 3 corners; \

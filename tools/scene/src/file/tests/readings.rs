@@ -3,8 +3,8 @@
 use super::{ACTOR, parse, path, read, refused};
 use crate::Space;
 use crate::description::{
-    Background, ColourFormat, Cull, Dithering, Light, LightKind, Material, Palette, Projection,
-    Ramp, Shading,
+    Background, ColourFormat, Cull, Dithering, Light, LightKind, Material, Palette, Primitive,
+    Projection, Ramp, Ray, Shading,
 };
 use crate::texture::{Filter, Texturing, Wrap};
 use crate::{mesh, picture};
@@ -12,8 +12,7 @@ use crate::{mesh, picture};
 #[test]
 fn neutral_values_of_later_keys_are_accepted() {
     let scene = read(
-        "[[material]]\nopacity = 1.0\nreflectivity = 0\n\
-         refractive_index = 1\n[[actor]]\nmesh = \"meshes/cube.obj\"\nshear = [0, 0.0, 0]\n\
+        "[[material]]\nopacity = 1.0\n[[actor]]\nmesh = \"meshes/cube.obj\"\nshear = [0, 0.0, 0]\n\
          representation = \"surface\"\n[camera]\nroll = 0",
     );
     scene.unwrap();
@@ -54,6 +53,7 @@ fn defaults_are_vtks() {
         kind: LightKind::Directional { direction },
         colour: [1.0; 3],
         intensity: 1.0,
+        edges: None,
     };
     assert_eq!(scene.lights, [headlight]);
 }
@@ -270,4 +270,49 @@ fn a_gltf_file_brings_its_own_material() {
     assert_eq!(bare.materials[0].texture, Some(Texturing::new(0)));
     assert_eq!(bare.materials[0].ambient, 0.15);
     std::fs::remove_dir_all(&folder).unwrap();
+}
+
+#[test]
+fn rays_and_what_they_meet() {
+    let text = "[ray]\nshadows = false\ndepth = 6\nsamples = 8\nthreshold = 0.25\nlight_samples = 9\n\
+                [[light]]\nkind = \"point\"\nposition = [0, 3, 0]\nedges = [[1, 0, 0], [0, 0, 2]]\n\
+                [[material]]\nreflectivity = 0.5\nrefractive_index = 1.5\n\
+                texture = \"textures/tiles.png\"\n\
+                [[actor]]\nplane = [4, 2]\ndetail = 1\n";
+    let scene = read(text).unwrap();
+    let expected = Ray {
+        shadows: false,
+        depth: 6,
+        samples: 8,
+        threshold: 0.25,
+        light_samples: 9,
+    };
+    assert_eq!(scene.ray, expected);
+    assert_eq!(
+        scene.lights[0].edges,
+        Some([[1.0, 0.0, 0.0], [0.0, 0.0, 2.0]])
+    );
+    let material = &scene.materials[0];
+    assert_eq!(
+        (material.reflectivity, material.refractive_index),
+        (0.5, 1.5)
+    );
+    let mesh = &scene.meshes[0];
+    let (width, depth) = (4.0, 2.0);
+    assert_eq!(mesh.primitive, Some(Primitive::Rectangle { width, depth }));
+    assert_eq!((mesh.positions.len(), mesh.triangles.len()), (9, 8));
+    assert_eq!(
+        (mesh.positions[0], mesh.texture_coordinates[0]),
+        ([-2.0, 0.0, 1.0], [0.0, 0.0])
+    );
+    assert_eq!(
+        (mesh.positions[8], mesh.texture_coordinates[8]),
+        ([2.0, 0.0, -1.0], [1.0, 1.0])
+    );
+    // Counter-clockwise seen from above.
+    for triangle in &mesh.triangles {
+        let [a, b, c] = triangle.map(|i| glam::DVec3::from(mesh.positions[i as usize]));
+        assert!((b - a).cross(c - a).y > 0.0);
+    }
+    assert_eq!(read(ACTOR).unwrap().ray, Ray::default());
 }
