@@ -86,6 +86,11 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
     at_most("actors", scene.actors.len(), 65535)?;
     at_most("materials", scene.materials.len(), 65535)?;
     at_most("lights with a direction", scene.lights.len(), LIGHTS)?;
+    if let Some(material) = scene.materials.iter().find(|m| m.opacity < 1.0) {
+        return Err(BakeError::NotYet {
+            what: format!("material `{}`: opacity {}", material.name, material.opacity),
+        });
+    }
     let units = Units::new(scene);
     let textures = textures(scene);
     let texturing = Texturing::new(&textures.textures)?;

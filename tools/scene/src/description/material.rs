@@ -43,6 +43,10 @@ pub struct Material {
     /// What multiplies its ambient and diffuse colour from place to place. Every
     /// mesh that it is on, as a surface, has texture coordinates.
     pub texture: Option<Texturing>,
+    /// How much of what is behind it it hides, 0..=1. Default 1.
+    pub opacity: f64,
+    /// How the rest shows, where `opacity` is less than 1. Default blended.
+    pub transparency: Transparency,
     /// The part of what is seen that the surface mirrors, 0..=1. Default 0. Only
     /// the ray caster shows it.
     pub reflectivity: f64,
@@ -67,10 +71,31 @@ impl Default for Material {
             shading: Shading::Gouraud,
             cull: Cull::Back,
             texture: None,
+            opacity: 1.0,
+            transparency: Transparency::Blend,
             reflectivity: 0.0,
             refractive_index: 1.0,
         }
     }
+}
+
+/// How a rasteriser shows a surface that hides only a part of what is behind it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Transparency {
+    /// Each pixel is the mixture `opacity * own + (1 - opacity) * behind` of colours as
+    /// they are encoded for the display: VTK's meaning of opacity, hence the default.
+    /// Such a surface hides nothing: it is no part of a depth buffer.
+    Blend,
+    /// So large a part of the pixels is the surface's, in a regular pattern, the others
+    /// show what is behind. It needs no mixed colours, so that it suits small palettes,
+    /// and no order, so that it is right for shapes that go through one another.
+    ///
+    /// Pixel x, y of a viewport (from its top left corner, y down) is drawn if
+    /// `(bayer(x, y) + 64 - 16 n) mod 64 < round(64 opacity)`. `n` is the number of
+    /// screen-door materials before this one, modulo 4, so that those of two materials
+    /// are not the same pixels. `bayer` is Bayer's matrix of 8 by 8: the bits of `x ^ y`
+    /// and `y` from the lowest to the highest, in turn, from the highest of 6 bits down.
+    ScreenDoor,
 }
 
 /// Where the light model is worked out.

@@ -3,9 +3,9 @@
 use std::ops::RangeInclusive;
 
 use super::colour::colour;
-use super::table::{Keys, Neutral, Table};
+use super::table::{Keys, Table};
 use super::texture::texture;
-use crate::description::{Cull, Material, Shading};
+use crate::description::{Cull, Material, Shading, Transparency};
 use crate::error::Error;
 use crate::texture::Texture;
 
@@ -29,10 +29,12 @@ pub(super) const MATERIAL: Keys = Keys {
         "shading",
         "cull",
         "texture",
+        "opacity",
+        "transparency",
         "reflectivity",
         "refractive_index",
     ],
-    later: &[("opacity", Neutral::Number(1.0))],
+    later: &[],
 };
 
 /// Reads one material; `index` names it if it has no name.
@@ -62,6 +64,7 @@ pub(super) fn material(
         ("specular", &mut material.specular, 0.0..=1.0),
         ("specular_power", &mut material.specular_power, POWER),
         ("emission", &mut material.emission, 0.0..=1.0),
+        ("opacity", &mut material.opacity, 0.0..=1.0),
         ("reflectivity", &mut material.reflectivity, 0.0..=1.0),
         (
             "refractive_index",
@@ -88,6 +91,13 @@ pub(super) fn material(
     ];
     if let Some(cull) = table.choice("cull", &culls, &[])? {
         material.cull = cull;
+    }
+    let transparencies = [
+        ("blend", Transparency::Blend),
+        ("screen_door", Transparency::ScreenDoor),
+    ];
+    if let Some(transparency) = table.choice("transparency", &transparencies, &[])? {
+        material.transparency = transparency;
     }
     material.texture = texture(table, textures)?;
     Ok(material)

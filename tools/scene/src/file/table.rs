@@ -40,8 +40,6 @@ impl Source<'_> {
 pub(crate) enum Neutral {
     /// There is none: the key itself asks for the capability.
     Never,
-    /// A number.
-    Number(f64),
     /// A string.
     Text(&'static str),
 }
@@ -105,7 +103,6 @@ impl<'t, 'i> Table<'t, 'i> {
     fn not_yet(&self, key: &str, offset: usize, neutral: &Neutral) -> Error {
         let but = match neutral {
             Neutral::Never => String::new(),
-            Neutral::Number(value) => format!("; expected {key} = {value}, or no such key"),
             Neutral::Text(value) => format!("; expected {key} = \"{value}\", or no such key"),
         };
         self.source.error(
@@ -276,7 +273,6 @@ impl Neutral {
     fn is(&self, value: &DeValue<'_>) -> bool {
         match self {
             Neutral::Never => false,
-            Neutral::Number(number) => to_f64(value).is_some_and(|found| found == *number),
             Neutral::Text(text) => matches!(value, DeValue::String(found) if found == text),
         }
     }

@@ -136,6 +136,11 @@ messages! {
         => "t.toml:2: material.specular_power: 0 is out of range; expected a number in 1..=128";
     specular_colour: "[[material]]\nspecular_color = \"#ffffff\""
         => "t.toml:2: material.specular_color: is an unknown key; did you mean specular_colour?";
+    opacity: "[[material]]\nopacity = 50"
+        => "t.toml:2: material.opacity: 50 is out of range; expected a number in 0..=1";
+    transparency: "[[material]]\nopacity = 0.5\ntransparency = \"alpha\""
+        => "t.toml:3: material.transparency: \"alpha\" is unknown; \
+            expected \"blend\" or \"screen_door\"";
     texture: "[[material]]\ntexture = \"wood.png\""
         => "t.toml:2: material.texture: \"wood.png\" does not exist";
     texture_kind: "[[material]]\ntexture = \"meshes/cube.obj\""

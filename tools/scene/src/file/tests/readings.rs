@@ -4,7 +4,7 @@ use super::{ACTOR, parse, path, read, refused};
 use crate::Space;
 use crate::description::{
     Background, ColourFormat, Cull, Dithering, Light, LightKind, Material, Palette, Primitive,
-    Projection, Ramp, Ray, Shading,
+    Projection, Ramp, Ray, Shading, Transparency,
 };
 use crate::texture::{Filter, Texturing, Wrap};
 use crate::{mesh, picture};
@@ -12,7 +12,7 @@ use crate::{mesh, picture};
 #[test]
 fn neutral_values_of_later_keys_are_accepted() {
     let scene = read(
-        "[[material]]\nopacity = 1.0\n[[actor]]\nmesh = \"meshes/cube.obj\"\nshear = [0, 0.0, 0]\n\
+        "[[actor]]\nmesh = \"meshes/cube.obj\"\nshear = [0, 0.0, 0]\n\
          representation = \"surface\"\n[camera]\nroll = 0",
     );
     scene.unwrap();
@@ -114,6 +114,16 @@ fn a_colour_is_all_three_unless_said_otherwise() {
     let shiny = &materials[0];
     assert_eq!((shiny.specular, shiny.specular_power), (0.5, 20.0));
     assert_eq!(shiny.shading, Shading::Phong);
+}
+
+#[test]
+fn transparency_is_blended_unless_said_otherwise() {
+    let text = "[[material]]\nopacity = 0.25\n\
+                [[material]]\nopacity = 1\ntransparency = \"screen_door\"";
+    let materials = read(&format!("{text}\n{ACTOR}")).unwrap().materials;
+    let how = |m: &Material| (m.opacity, m.transparency);
+    assert_eq!(how(&materials[0]), (0.25, Transparency::Blend));
+    assert_eq!(how(&materials[1]), (1.0, Transparency::ScreenDoor));
 }
 
 #[test]
