@@ -157,8 +157,10 @@ pub enum Renderer {
     Raster,
     /// (not there yet) The fixed-point ray caster.
     Ray,
-    /// The f64 reference.
+    /// The f64 reference for the rasteriser.
     Reference,
+    /// The f64 reference for the ray caster: shadows, mirrors, glass.
+    RayReference,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

@@ -10,6 +10,12 @@ pub fn render(scene: &Scene, options: Options) -> Truth {
     fixel_reference::render_watched(scene, options, &|| progress.step())
 }
 
+/// Renders the truth about what rays see.
+pub fn render_rays(scene: &Scene, options: Options) -> Truth {
+    let progress = Progress::new("ray reference", u64::from(options.height));
+    fixel_reference::render_rays_watched(scene, options, &|| progress.step())
+}
+
 /// Samples of a pixel, across and down, that stand for all of it.
 const MANY: [u32; 2] = [8, 8];
 

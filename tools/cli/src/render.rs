@@ -103,6 +103,22 @@ fn draw(args: &args::Render, input: Input, at: fixel_reference::Options) -> Resu
                 stats: Map::new(),
             })
         }
+        Renderer::RayReference => {
+            let truth = reference::render_rays(&input.scene, at);
+            let mut stats = Map::new();
+            if let Some(rays) = truth.rays() {
+                stats.insert("rays_camera".into(), json!(rays.camera));
+                stats.insert("rays_bounced".into(), json!(rays.bounced));
+                stats.insert("rays_shadow".into(), json!(rays.shadow));
+            }
+            Ok(Picture {
+                rgb: truth.picture(),
+                samples: (truth.width(), truth.height()),
+                depth: truth.depth16(),
+                actor: truth.actor_ids(),
+                stats,
+            })
+        }
         Renderer::Raster => {
             let options = raster::Options {
                 width: at.width,
@@ -136,6 +152,7 @@ fn common_stats(
         Renderer::Raster => "raster",
         Renderer::Ray => "ray",
         Renderer::Reference => "reference",
+        Renderer::RayReference => "ray-reference",
     };
     let fields = [
         ("scene", json!(args.scene.display().to_string())),

@@ -56,6 +56,7 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
         index,
         depth: drawn.depth.clone(),
         texture_place: planes::texture_place(scene, options),
+        lit: Vec::new(),
         lookup: Lookup {
             paths: (0..scene.material_count()).map(path).collect(),
             colours: if coloured {

@@ -3,6 +3,7 @@
 use crate::frame::{Frame, FrameError};
 use crate::metric::{Differences, Psnr, percent};
 use crate::report::{Mismatch, MismatchKind, Report};
+use crate::shadow;
 use crate::truth::{Hit, Truth};
 
 /// How many mismatching pixels a report names.
@@ -22,6 +23,7 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
     let (mut missing_or_extra, mut visible, mut union, mut equal) = (0, 0, 0, 0);
     let mut mismatches = Vec::new();
     let mut doubtful = vec![false; truth.pixels.len()];
+    let mut same = vec![false; truth.pixels.len()];
     let through_palette = frame.lookup.indices(truth);
     for (i, reference_index) in through_palette.iter().enumerate() {
         let seen = Pixel::of(truth, frame, i);
@@ -36,6 +38,7 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
                 None
             }
             Pixel::Same => {
+                same[i] = true;
                 if let Some(hit) = &truth.pixels[i] {
                     depth.add(i, f64::from(frame.depth[i]) - hit.depth_lsb, 1.0);
                     level.add(i, light_difference(frame, hit, i), 2.0);
@@ -74,6 +77,7 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
             covered.add(shown, colour);
         }
     }
+    let shadows = shadow::mismatches(truth, frame, &same);
     let at = |i: usize| [i as u32 % truth.width, i as u32 / truth.width];
     let covered_px = truth.covered_px();
     Ok(Report {
@@ -99,6 +103,9 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
         level_max_at: level.max_at.map(at),
         texel_max: texel.max,
         texel_mean: texel.mean(),
+        lit_px: shadow::lit_px(truth),
+        shadow_mismatch_px: shadows.iter().filter(|differs| **differs).count(),
+        shadow_mismatch_clusters: shadow::clusters(&shadows, truth.width as usize),
         mismatches,
     })
 }
@@ -141,7 +148,8 @@ impl Pixel {
             (Some(_), None) => Self::Mismatch(MismatchKind::Missing),
             (None, Some(_)) => Self::Mismatch(MismatchKind::Extra),
             (Some(hit), Some([actor, triangle])) => {
-                if [hit.actor, hit.triangle] == [actor, triangle] {
+                let primitive = truth.is_primitive(actor);
+                if hit.actor == actor && (hit.triangle == triangle || primitive) {
                     return Self::Same;
                 }
                 let (x, y) = (i as u32 % truth.width, i as u32 / truth.width);

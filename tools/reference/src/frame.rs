@@ -39,6 +39,11 @@ pub struct Frame {
     /// The place in the texture, in texels from its top left corner, before wrapping,
     /// where there is a texture; of all pixels, or of none if it is not known.
     pub texture_place: Vec<[f64; 2]>,
+    /// Which of the scene's first 8 lights get to what the pixel's centre shows, a bit
+    /// each, the first light's the lowest: from any place on the light, through whatever
+    /// is not opaque; not where the surface is turned away. Empty of a renderer without
+    /// shadows.
+    pub lit: Vec<u8>,
     /// How the renderer gets from light to a colour.
     pub lookup: Lookup,
 }
@@ -183,6 +188,7 @@ impl Frame {
             texture_place: hits()
                 .map(|p| p.and_then(|hit| hit.texture_place).unwrap_or_default())
                 .collect(),
+            lit: truth.lit(),
             lookup,
         }
     }
@@ -212,7 +218,9 @@ impl Frame {
         let shades = lookup.paths.iter().filter_map(Path::shade_lengths);
         let places = Some(self.texture_place.len()).filter(|count| *count > 0);
         let places = places.map(|count| ("texture_place", count, pixels));
-        let lengths = lengths.into_iter().chain(shades).chain(places);
+        let lit = Some(self.lit.len()).filter(|count| *count > 0);
+        let lit = lit.map(|count| ("lit", count, pixels));
+        let lengths = lengths.into_iter().chain(shades).chain(places).chain(lit);
         for (array, found, needed) in lengths {
             if found != needed {
                 return Err(FrameError::Length {
@@ -247,6 +255,7 @@ impl Lookup {
         let bases: Vec<Nearest> = self.paths.iter().map(Nearest::of).collect();
         let index = |(i, pixel): (usize, &Option<Hit>)| match pixel {
             Some(hit) => self.index(hit, &bases, self.background[i]),
+            None if truth.is_resampled(i) => self.colour_index(truth.background[i]),
             None => self.background[i],
         };
         truth.pixels.iter().enumerate().map(index).collect()
@@ -256,11 +265,7 @@ impl Lookup {
         let clear = match &self.paths[hit.material] {
             _ if hit.hidden => background,
             Path::Level(indices) => indices[hit.level.round() as usize],
-            Path::Colour => {
-                let step = |channel: f64| (15.0 * channel).round() as usize;
-                let [red, green, blue] = hit.colour.map(step);
-                self.colours[red << 8 | green << 4 | blue]
-            }
+            Path::Colour => self.colour_index(hit.colour),
             Path::Textured { shade, .. } => {
                 let nearest = &bases[hit.material];
                 let base = nearest.index(hit.texel.unwrap_or([1.0; 3]));
@@ -272,6 +277,12 @@ impl Lookup {
             Some(last) => self.fog[(hit.fog * last as f64).round() as usize][usize::from(clear)],
             None => clear,
         }
+    }
+
+    fn colour_index(&self, colour: Rgb) -> u8 {
+        let step = |channel: f64| (15.0 * channel).round() as usize;
+        let [red, green, blue] = colour.map(step);
+        self.colours[red << 8 | green << 4 | blue]
     }
 
     /// The light of the truth as [`Frame::light`] has it, unrounded.

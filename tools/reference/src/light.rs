@@ -61,6 +61,23 @@ pub(crate) struct Lights {
 struct Source {
     light: DVec3,
     from: From,
+    /// Of a light that has an extent.
+    edges: Option<[DVec3; 2]>,
+}
+
+/// A place from which a light gets to a surface that is turned to it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sample {
+    /// The light's index in the scene.
+    pub light: usize,
+    /// Towards the place, unit length.
+    pub towards: DVec3,
+    /// How far it is; infinite for a light that has none.
+    pub distance: f64,
+    /// Of the angle between it and the normal, above 0.
+    pub cosine: f64,
+    /// Its share of the light.
+    pub weight: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -115,6 +132,7 @@ impl Lights {
         let source = |light: &fixel_scene::Light| Source {
             light: DVec3::from(light.colour) * light.intensity,
             from: from(&light.kind),
+            edges: light.edges.map(|edges| edges.map(DVec3::from)),
         };
         Self {
             ambient: scene.ambient.into(),
@@ -122,21 +140,51 @@ impl Lights {
         }
     }
 
-    /// The whole light model at one point.
+    /// How many there are, ambient ones aside.
+    pub fn count(&self) -> usize {
+        self.sources.len()
+    }
+
+    /// The whole light model at one point, without shadows: a light that has an extent
+    /// shines from its middle.
     pub fn shine(&self, material: &Material, at: &SurfacePoint) -> Lit {
+        self.gather(material, at, &[], |_| 1.0)
+    }
+
+    /// The same with only that part of each sample that `reaching` says. A light that
+    /// has an extent shines from `places` on it, in parts of its edges.
+    pub fn gather(
+        &self,
+        material: &Material,
+        at: &SurfacePoint,
+        places: &[[f64; 2]],
+        mut reaching: impl FnMut(&Sample) -> f64,
+    ) -> Lit {
         let (mut diffuse, mut specular) = (DVec3::ZERO, DVec3::ZERO);
-        for source in &self.sources {
-            let Some((towards, factor)) = source.from.reaches(at.place) else {
-                continue;
-            };
-            let cosine = at.normal.dot(towards);
-            if cosine <= 0.0 {
-                continue;
+        for (light, source) in self.sources.iter().enumerate() {
+            let moves = source.moves(places);
+            let weight = 1.0 / moves.len() as f64;
+            for moved in moves {
+                let Some((towards, distance, factor)) = source.from.reaches(at.place, moved) else {
+                    continue;
+                };
+                let cosine = at.normal.dot(towards);
+                if cosine <= 0.0 {
+                    continue;
+                }
+                let part = reaching(&Sample {
+                    light,
+                    towards,
+                    distance,
+                    cosine,
+                    weight,
+                });
+                let mirrored = 2.0 * cosine * at.normal - towards;
+                let highlight = mirrored.dot(at.eye).max(0.0).powf(material.specular_power);
+                let arriving = source.light * (factor * part * weight);
+                diffuse += arriving * cosine;
+                specular += arriving * highlight;
             }
-            let mirrored = 2.0 * cosine * at.normal - towards;
-            let highlight = mirrored.dot(at.eye).max(0.0).powf(material.specular_power);
-            diffuse += source.light * (factor * cosine);
-            specular += source.light * (factor * highlight);
         }
         let ambient = self.ambient * material.ambient;
         diffuse *= material.diffuse;
@@ -156,18 +204,31 @@ impl Lights {
     }
 }
 
+impl Source {
+    /// How far from its middle it shines.
+    fn moves(&self, places: &[[f64; 2]]) -> Vec<DVec3> {
+        match self.edges {
+            Some([first, second]) if !places.is_empty() => places
+                .iter()
+                .map(|[u, v]| first * (u - 0.5) + second * (v - 0.5))
+                .collect(),
+            _ => vec![DVec3::ZERO],
+        }
+    }
+}
+
 impl From {
-    /// Towards the light, and attenuation times spot; `None` where no light
-    /// gets to.
-    fn reaches(&self, point: DVec3) -> Option<(DVec3, f64)> {
+    /// Towards the light, moved aside, the distance, and attenuation times spot; `None`
+    /// where no light gets to.
+    fn reaches(&self, point: DVec3, moved: DVec3) -> Option<(DVec3, f64, f64)> {
         match self {
-            From::Far(towards) => Some((*towards, 1.0)),
+            From::Far(towards) => Some((*towards, f64::INFINITY, 1.0)),
             From::Place {
                 place,
                 attenuation: [constant, linear, quadratic],
                 cone,
             } => {
-                let way = *place - point;
+                let way = *place + moved - point;
                 let distance = way.length();
                 let towards = way.try_normalize()?;
                 let fade = 1.0 / (constant + linear * distance + quadratic * distance * distance);
@@ -175,7 +236,7 @@ impl From {
                     None => 1.0,
                     Some(cone) => cone.beam(towards)?,
                 };
-                Some((towards, fade * beam))
+                Some((towards, distance, fade * beam))
             }
         }
     }

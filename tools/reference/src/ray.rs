@@ -9,6 +9,7 @@
 //! (Dekker's two-product, by fused multiply-add); thus every sign is exact
 //! for the sheared vertices, which form a planar mesh without gaps.
 
+use crate::bvh::Line;
 use glam::DVec3;
 
 /// A ray in view space that advances by 1 along the line of sight: at distance
@@ -34,6 +35,15 @@ pub(crate) struct Meeting {
 }
 
 impl Ray {
+    /// The same in view space: t is the distance along the line of sight.
+    pub fn line(&self) -> Line {
+        let ([x, y], [right, up]) = (self.origin, self.slope);
+        Line {
+            origin: DVec3::new(x, y, 0.0),
+            direction: DVec3::new(right, up, 1.0),
+        }
+    }
+
     /// Meets a triangle given in view space. The line counts in both
     /// directions, so vertices behind the eye need no care.
     pub fn meet(&self, triangle: [DVec3; 3]) -> Option<Meeting> {

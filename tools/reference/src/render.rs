@@ -1,6 +1,6 @@
 //! The scene to the truth, pixel by pixel.
 
-use crate::bvh::Bvh;
+use crate::bvh::{Bvh, bounds};
 use crate::fog::fog_part;
 use crate::geometry::{Face, Geometry};
 use crate::light::Lit;
@@ -45,7 +45,10 @@ pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sy
     let [width, height] = sampled_size(scene, width, height);
     let trees: Vec<Bvh> = windows
         .iter()
-        .map(|w| Bvh::new(&w.geometry.faces))
+        .map(|w| {
+            let boxes: Vec<_> = w.geometry.faces.iter().map(|f| bounds(f.corners)).collect();
+            Bvh::new(&boxes)
+        })
         .collect();
     let pixels_in_all = width as usize * height as usize;
     let mut pixels = vec![None; pixels_in_all];
@@ -85,6 +88,7 @@ pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sy
         materials,
         windows,
         overlays,
+        traced: None,
     }
 }
 
@@ -141,7 +145,7 @@ fn nearest<'a>(geometry: &'a Geometry, bvh: &Bvh, view: &View, at: [u32; 2]) -> 
     let mut second: Option<f64> = None;
     // Faces that lie deeper than they are, by depth.
     let mut sunk: Option<Seen<'a>> = None;
-    bvh.walk(&ray, near, far, |index| {
+    bvh.walk(&ray.line(), near, far, |index| {
         let face = &faces[index];
         if let Some(meeting) = face.seen(&ray, view)
             && !geometry.is_hole(face, at, view)

@@ -75,6 +75,17 @@ pub struct Report {
     /// Mean of that difference.
     #[serde(default)]
     pub texel_mean: f64,
+    /// Of the ray caster: pixels that some light gets to in the truth.
+    #[serde(default)]
+    pub lit_px: usize,
+    /// Of those that show the same surface, pixels to which some light gets that does
+    /// not in the truth, or the other way round, and its part, times the cosine of its
+    /// angle to the normal, is more than 1 of 255.
+    #[serde(default)]
+    pub shadow_mismatch_px: usize,
+    /// Groups of at least 4 such pixels that touch at sides or corners.
+    #[serde(default)]
+    pub shadow_mismatch_clusters: usize,
     /// The first 20 pixels that count as a coverage or visible mismatch, by
     /// rows from the top.
     pub mismatches: Vec<Mismatch>,

@@ -2,6 +2,7 @@
 
 use crate::fog::fogged;
 use crate::overlay::Overlay;
+use crate::trace::{RayCounts, Reach, Traced};
 use crate::window::Window;
 use fixel_scene::{Fog, Rgb};
 
@@ -63,6 +64,8 @@ pub struct Truth {
     pub(crate) windows: Vec<Window>,
     /// Lines and marks of each.
     pub(crate) overlays: Vec<Overlay>,
+    /// If rays made it.
+    pub(crate) traced: Option<Traced>,
 }
 
 impl Truth {
@@ -93,6 +96,36 @@ impl Truth {
         self.pixels[(y * self.width + x) as usize].as_ref()
     }
 
+    /// Whether an actor is a sphere or a rectangle that rays meet as a whole.
+    pub(crate) fn is_primitive(&self, actor: usize) -> bool {
+        self.traced
+            .as_ref()
+            .is_some_and(|traced| traced.world.is_primitive(actor))
+    }
+
+    /// Whether a pixel's colour is of several rays.
+    pub(crate) fn is_resampled(&self, i: usize) -> bool {
+        self.traced
+            .as_ref()
+            .is_some_and(|traced| traced.resampled[i])
+    }
+
+    /// As [`crate::Frame::lit`].
+    pub(crate) fn lit(&self) -> Vec<u8> {
+        let bits = |reaches: &Vec<Reach>| {
+            let lights = reaches.iter().take(8).enumerate();
+            let reached = lights.filter(|(_, reach)| reach.part > 0.0);
+            reached.fold(0, |bits, (light, _)| bits | 1 << light)
+        };
+        let pixels = self.traced.iter().flat_map(|traced| &traced.reaches);
+        pixels.map(bits).collect()
+    }
+
+    /// How many rays it took, if rays made it.
+    pub fn rays(&self) -> Option<RayCounts> {
+        self.traced.as_ref().map(|traced| traced.rays)
+    }
+
     /// How many pixels show a surface.
     pub fn covered_px(&self) -> usize {
         self.pixels.iter().flatten().count()
@@ -102,6 +135,11 @@ impl Truth {
     /// vertex; see [`Hit::triangle`]) itself is met at a pixel, seen or hidden; `None` if it is not met there.
     pub fn depth_of_lsb(&self, actor: usize, triangle: usize, x: u32, y: u32) -> Option<f64> {
         let (window, overlay, [column, row]) = self.window(x, y)?;
+        if let Some(traced) = &self.traced {
+            let line = window.view.line(&window.view.ray(column, row));
+            let w = traced.world.meet_one(actor, triangle, &line)?;
+            return window.view.in_range(w).then(|| window.view.depth_lsb(w));
+        }
         let Some(face) = window.geometry.face(actor, triangle) else {
             return overlay.depth_lsb(actor, triangle, self.number(x, y));
         };

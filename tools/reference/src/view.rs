@@ -1,5 +1,6 @@
 //! World space to view space, and the ray through a pixel.
 
+use crate::bvh::Line;
 use crate::ray::Ray;
 use fixel_scene::{Camera, Projection};
 use glam::DVec3;
@@ -79,6 +80,16 @@ impl View {
             eye: self.eye + self.right * (slope * distance),
             slope,
             ..self
+        }
+    }
+
+    /// A ray in the world; t is the distance along the line of sight.
+    pub(crate) fn line(&self, ray: &Ray) -> Line {
+        let world = |v: DVec3| self.right * v.x + self.up * v.y + self.forward * v.z;
+        let Line { origin, direction } = ray.line();
+        Line {
+            origin: self.eye + world(origin),
+            direction: world(direction),
         }
     }
 

@@ -4,6 +4,7 @@ use crate::camera::camera_at;
 use crate::geometry::Geometry;
 use crate::view::View;
 use fixel_scene::{Aspect, Background, Camera, Display, Rgb, Scene, Viewport};
+use glam::DVec3;
 
 /// A viewport in a picture.
 #[derive(Clone, Debug)]
@@ -14,7 +15,9 @@ pub(crate) struct Window {
     pub size: [u32; 2],
     pub view: View,
     pub geometry: Geometry,
-    background: Background,
+    pub background: Background,
+    /// Of its camera, unit length.
+    pub view_up: DVec3,
 }
 
 impl Window {
@@ -59,6 +62,7 @@ impl Window {
                 geometry: Geometry::new(scene, &view, frame),
                 view,
                 background: viewport.background.unwrap_or(scene.display.background),
+                view_up: DVec3::from(camera.view_up).normalize(),
             }
         };
         let eyes = 0..stereo.eyes();
@@ -72,6 +76,19 @@ impl Window {
         let [left, top] = self.corner;
         let place = [x.checked_sub(left)?, y.checked_sub(top)?];
         (place[0] < self.size[0] && place[1] < self.size[1]).then_some(place)
+    }
+
+    /// The picture's pixels in this part that share a side with one of them.
+    pub fn neighbours(&self, [x, y]: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
+        let to = |x: Option<u32>, y: Option<u32>| Some([x?, y?]);
+        let all = [
+            to(x.checked_sub(1), Some(y)),
+            to(Some(x + 1), Some(y)),
+            to(Some(x), y.checked_sub(1)),
+            to(Some(x), Some(y + 1)),
+        ];
+        let inside = |[x, y]: &[u32; 2]| self.place(*x, *y).is_some();
+        all.into_iter().flatten().filter(inside)
     }
 
     /// The background in row `y` of this part.

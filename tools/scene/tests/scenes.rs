@@ -25,7 +25,7 @@ fn scene(name: &str) -> Scene {
 
 #[test]
 fn all_load_and_keep_the_promises_of_a_scene() {
-    let folders = ["", "bench", "meshes"].map(|folder| files(&scenes().join(folder)));
+    let folders = ["", "bench", "ray", "meshes"].map(|folder| files(&scenes().join(folder)));
     let all = folders.concat();
     assert!(all.len() > 25, "{all:?}");
     for path in all {

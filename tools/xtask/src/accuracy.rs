@@ -31,7 +31,7 @@ struct Compared {
     one_material: bool,
 }
 
-/// Compares every scene in `scenes/` and `scenes/bench/`, frame 0, at its own
+/// Compares every scene in `scenes/`, `scenes/bench/` and `scenes/ray/`, frame 0, at its own
 /// size. Gives `{"scene": {"raster": {...}}}` with the fields of `fixel
 /// compare --json`, and `rgb888_psnr_true_db`, the colour on a display with 8
 /// bits a channel. Each scene is held to limits.
@@ -57,7 +57,7 @@ pub fn run(tally: &mut Tally) -> Result<Value> {
 /// Scene files, by name.
 fn files() -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
-    for folder in ["scenes", "scenes/bench"] {
+    for folder in ["scenes", "scenes/bench", "scenes/ray"] {
         let folder = paths::root().join(folder);
         let fail = |error| format!("{}: {error}", folder.display());
         for entry in fs::read_dir(&folder).map_err(fail)? {
