@@ -77,7 +77,7 @@ pub struct Compare {
     /// The figures as JSON; - for standard output.
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<Destination>,
-    /// (not there yet) An HTML report with heat maps in this folder.
+    /// A page with heat maps, index.html, in this folder.
     #[arg(long, value_name = "DIR")]
     pub report: Option<PathBuf>,
 }

@@ -1,7 +1,7 @@
 //! `fixel compare`.
 
 use crate::args::{Destination, Tested};
-use crate::{args, input, output, raster, reference};
+use crate::{args, html, input, output, raster, reference};
 use anyhow::{Context, Result, bail};
 use fixel_reference::Report;
 use serde::Serialize;
@@ -21,9 +21,6 @@ struct Comparison<'a> {
 
 /// Renders a frame twice and reports how they differ.
 pub fn run(args: &args::Compare) -> Result<()> {
-    if args.report.is_some() {
-        bail!("--report is not there yet");
-    }
     let renderer = match args.renderer {
         Tested::Raster => "raster",
         Tested::Ray => bail!("the ray renderer is not there yet"),
@@ -43,15 +40,25 @@ pub fn run(args: &args::Compare) -> Result<()> {
     let report = fixel_reference::compare(&truth, &rendered.frame).with_context(name)?;
     let true_picture = reference::picture(&scene, at, &truth);
     let picture_psnr_db = fixel_reference::psnr_db(&rendered.picture, &true_picture);
+    let comparison = Comparison {
+        scene: name(),
+        renderer,
+        frame: at.frame,
+        picture_psnr_db,
+        report: &report,
+    };
     if let Some(destination) = &args.json {
-        let comparison = Comparison {
-            scene: name(),
-            renderer,
-            frame: at.frame,
-            picture_psnr_db,
-            report: &report,
-        };
         output::json(destination, &comparison)?;
+    }
+    if let Some(folder) = &args.report {
+        let page = html::Page {
+            title: format!("{} by {renderer}, frame {}", name(), at.frame),
+            truth: &truth,
+            frame: &rendered.frame,
+            figures: &serde_json::to_value(&comparison)?,
+        };
+        html::write(folder, &page)?;
+        eprintln!("wrote {}", folder.join("index.html").display());
     }
     if args.json == Some(Destination::Stdout) {
         Ok(())

@@ -8,6 +8,7 @@ mod args;
 mod bake;
 mod baked;
 mod compare;
+mod html;
 mod info;
 mod input;
 mod output;

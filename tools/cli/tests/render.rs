@@ -132,3 +132,24 @@ fn an_output_that_cannot_be_written_leaves_nothing() {
     assert!(line.contains("no/such/p.png"), "{line}");
     assert_eq!(folder.names(), before);
 }
+
+#[test]
+fn a_report_is_a_page_with_its_pictures() {
+    let folder = Folder::new();
+    folder.fixel("compare scene.toml --report out/a").ok();
+    let page = std::fs::read_to_string(folder.path("out/a/index.html")).unwrap();
+    let pictures: Vec<&str> = page
+        .split("src=\"")
+        .skip(1)
+        .map(|s| s.split('"').next().unwrap())
+        .collect();
+    assert_eq!(pictures.len(), 6, "no shadows by raster");
+    for picture in pictures {
+        let (width, height, ..) = read_png(folder.path("out/a").join(picture));
+        assert_eq!((width, height), (8, 4), "{picture}");
+    }
+    assert!(
+        page.contains("<td>coverage_mismatch_px</td><td>0</td>"),
+        "{page}"
+    );
+}

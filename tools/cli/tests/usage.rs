@@ -66,7 +66,6 @@ fn what_is_not_there_yet_says_so() {
         "render scene.toml --renderer ray",
         "render scene.toml --display st7789-240x240",
         "compare scene.toml --renderer ray",
-        "compare scene.toml --report folder",
     ] {
         let line = folder.fixel(words).fails();
         assert!(line.contains("is not there yet"), "{words}: {line}");

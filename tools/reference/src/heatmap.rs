@@ -4,6 +4,7 @@
 use crate::compare::{Pixel, light_difference};
 use crate::frame::{Frame, FrameError};
 use crate::report::MismatchKind;
+use crate::shadow;
 use crate::truth::Truth;
 
 /// Background in both, or pixels that the map does not judge.
@@ -19,7 +20,7 @@ const EXTRA: [u8; 3] = [255, 0, 255];
 /// Another triangle.
 const VISIBLE: [u8; 3] = [255, 210, 0];
 
-/// The four maps of a comparison.
+/// The maps of a comparison.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct HeatMaps {
     /// Which surface is seen: grey where the same, blue at ties in depth, red
@@ -35,9 +36,13 @@ pub struct HeatMaps {
     /// Greatest difference of a colour channel against the unquantised truth,
     /// everywhere, 0..=32 of 255.
     pub colour: Vec<[u8; 3]>,
+    /// Shadows on agreeing pixels: the more lights get there the lighter, red where one
+    /// does not that should, magenta where one does that should not, as
+    /// [`crate::Report::shadow_mismatch_px`] counts them. Empty if the frame has none.
+    pub shadow: Vec<[u8; 3]>,
 }
 
-/// Draws all four maps.
+/// Draws all maps.
 ///
 /// # Errors
 /// As [`crate::compare()`].
@@ -69,7 +74,30 @@ pub fn draw(truth: &Truth, frame: &Frame) -> Result<HeatMaps, FrameError> {
         depth: agreeing(&|i, hit| f64::from(frame.depth[i]) - hit.depth_lsb, 4.0),
         level: agreeing(&|i, hit| light_difference(frame, hit, i), 8.0),
         colour: colour.collect(),
+        shadow: shadow(truth, frame, &pixels),
     })
+}
+
+fn shadow(truth: &Truth, frame: &Frame, pixels: &[Pixel]) -> Vec<[u8; 3]> {
+    if frame.lit.is_empty() {
+        return Vec::new();
+    }
+    let same: Vec<bool> = pixels.iter().map(|pixel| *pixel == Pixel::Same).collect();
+    let wrong = shadow::mismatches(truth, frame, &same);
+    let lit = truth.lit();
+    let lights = lit.iter().map(|bits| bits.count_ones()).max().unwrap_or(0);
+    let colour = |i: usize| {
+        if !same[i] {
+            NEUTRAL
+        } else if !wrong[i] {
+            [40 + (160 * lit[i].count_ones() / lights.max(1)) as u8; 3]
+        } else if frame.lit[i] & !lit[i] != 0 {
+            EXTRA
+        } else {
+            MISSING
+        }
+    };
+    (0..pixels.len()).map(colour).collect()
 }
 
 fn coverage(pixel: &Pixel) -> [u8; 3] {

@@ -3,7 +3,7 @@
 mod common;
 
 use common::*;
-use fixel_reference::{Frame, Lookup, Options, Path, Truth, compare, render_rays};
+use fixel_reference::{Frame, Lookup, Options, Path, Truth, compare, heatmap, render_rays};
 use fixel_scene::{Background, Cull, Light, LightKind, Material, Mesh, Primitive, Scene};
 
 fn close(a: f64, b: f64, limit: f64) {
@@ -346,4 +346,8 @@ fn wrong_shadows_are_counted() {
         assert_eq!(shadows(&frame)[2], clusters);
     }
     assert_eq!(shadows(&frame)[1], 5);
+    frame.lit[4] = 1;
+    let map = heatmap::draw(&truth, &frame).unwrap().shadow;
+    let (right, missing, extra) = ([200; 3], [255, 60, 40], [255, 0, 255]);
+    assert_eq!([map[0], map[1], map[4]], [missing, right, extra]);
 }

@@ -151,18 +151,19 @@ impl Tracer<'_> {
         if reflectivity == 0.0 && !clear {
             return local;
         }
-        // Both turned against the ray.
-        let side = if met.front { 1.0 } else { -1.0 };
-        let face = spot.face_normal * side;
+        // Each turned against the ray by itself: at an outline they can disagree.
+        let against = |normal: DVec3| {
+            if normal.dot(direction) > 0.0 {
+                -normal
+            } else {
+                normal
+            }
+        };
+        let face = against(spot.face_normal);
         let normal = if material.shading == Shading::Flat {
             face
         } else {
-            spot.normal * side
-        };
-        let normal = if normal.dot(direction) < 0.0 {
-            normal
-        } else {
-            face
+            against(spot.normal)
         };
         let go = |direction: DVec3| {
             let line = Line {
