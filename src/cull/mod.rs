@@ -15,7 +15,9 @@ pub struct Visible {
     pub first_row: u16,
     /// One past the last row.
     pub end_row: u16,
-    /// Larger is nearer; comparable between actors.
+    /// Larger is nearer; comparable between actors. Of the nearest place, but of the
+    /// middle if the material is blended: what is drawn over the other should be what
+    /// is seen over it.
     pub nearness: u16,
 }
 

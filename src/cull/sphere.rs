@@ -44,7 +44,12 @@ pub(super) fn extent(
     if first_row >= end_row {
         return None;
     }
-    let depth = view.depth.depth(nearest, reciprocal(nearest as u32));
+    let ordered_by = if view.material.is_blended() {
+        distance.max(near).min(i32::MAX.into()) as i32
+    } else {
+        nearest
+    };
+    let depth = view.depth.depth(ordered_by, reciprocal(ordered_by as u32));
     Some(Visible {
         first_row,
         end_row,

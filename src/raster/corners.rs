@@ -21,6 +21,9 @@ pub struct SurfaceKind {
     pub attributes: usize,
     /// Whether runs say how the first two change from row to row.
     pub footprint: bool,
+    /// Whether attributes decide where the surface ends, so that they are to be four
+    /// times as exact.
+    pub outlined: bool,
 }
 
 /// Fractional bits of an attribute that is not divided.

@@ -8,6 +8,9 @@ pub const MOST_ATTRIBUTES: usize = 11;
 /// One number for each attribute; those past the surface's count mean nothing.
 pub type Values = [i32; MOST_ATTRIBUTES];
 
+/// Pixels in a run at most: a power of two between its ends, and the last one.
+pub const LONGEST_RUN: usize = 17;
+
 /// Fractional bits of an attribute in a [`Run`].
 pub const RUN_FRACTION: u32 = 14;
 

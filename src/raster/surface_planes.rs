@@ -3,7 +3,7 @@
 use super::attributes::Attributes;
 use super::corners::{AFFINE_FRACTION, Corners, SurfaceKind};
 use super::gradient::Plane;
-use super::run::{MOST_ATTRIBUTES, RUN_FRACTION, Run, Values};
+use super::run::{LONGEST_RUN, MOST_ATTRIBUTES, RUN_FRACTION, Run, Values};
 use super::scan::{Shape, Span, Stepped};
 use crate::math::{HALF_PX, Reciprocal, SUBPX_BITS, mul_high, reciprocal};
 
@@ -62,8 +62,8 @@ impl Stepped for Surface {
     }
 }
 
-/// Pixels of a run at most, a power of two.
-const RUN: i32 = 16;
+/// Pixels from a run's first to the next one's at most, a power of two.
+const RUN: i32 = LONGEST_RUN as i32 - 1;
 
 /// `2^31 / n`, rounded to nearest.
 const OVER: [i32; RUN as usize] = {
@@ -152,14 +152,15 @@ impl Surface {
     }
 
     /// How many pixels a straight line is good for: nearness changes by less than
-    /// a 16th, so that the line is off by less than a 64th of the run's change.
+    /// a 16th (of outlines a 64th), so that the line is off by less than a 64th (a 256th)
+    /// of the run's change.
     fn run(&self, columns: i32) -> i32 {
         if !self.perspective {
             return RUN;
         }
         let here = self.nearness.at(columns);
         let change = self.nearness.x.unsigned_abs();
-        let room = here.unsigned_abs() >> 4;
+        let room = here.unsigned_abs() >> if self.kind.outlined { 6 } else { 4 };
         let mut pixels = RUN;
         while pixels > 1 && change.saturating_mul(pixels as u64) > room {
             pixels >>= 1;

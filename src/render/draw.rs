@@ -43,7 +43,7 @@ pub(super) fn draw_meshlet<P: Paint>(
         meshlet: &meshlet,
         transformed,
     };
-    if entry.pass() != Pass::Surface {
+    if !matches!(entry.pass(), Pass::Surface | Pass::Blended) {
         // Without the feature there is no such pass.
         if let Some(look) = lines::look(scene, entry.actor) {
             if entry.pass() == Pass::Hidden {

@@ -23,17 +23,26 @@ pub(super) enum Pass {
     Surface,
     /// Lines and marks that may be hidden.
     Tested,
+    /// Surfaces through which all that shows, far ones first.
+    Blended,
     /// Lines and marks over everything, in the order of actors.
     Over,
 }
 
 impl Pass {
     /// All, in order.
-    pub(super) const ALL: [Self; 4] = [Self::Hidden, Self::Surface, Self::Tested, Self::Over];
+    pub(super) const ALL: [Self; 5] = [
+        Self::Hidden,
+        Self::Surface,
+        Self::Tested,
+        Self::Blended,
+        Self::Over,
+    ];
 
     /// Those in which an actor with `look` is drawn.
-    pub(super) fn of(look: Option<&Look>) -> &'static [Self] {
+    pub(super) fn of(look: Option<&Look>, blended: bool) -> &'static [Self] {
         match look {
+            None if blended => &[Self::Blended],
             None => &[Self::Surface],
             Some(look) => match (look.representation, look.depth_test) {
                 (Representation::HiddenLine, true) => &[Self::Hidden, Self::Tested],

@@ -4,7 +4,7 @@
 use crate::math::Level;
 use crate::raster::Fill;
 use crate::scene::Dither;
-use crate::shade::{Pixel, dithered};
+use crate::shade::{Blend, Pixel, blended, dithered};
 
 /// Whose pixel it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,6 +40,12 @@ pub trait Paint {
 
     /// The index of a surface's pixel.
     fn surface(&self, pixel: &Pixel<'_>, ids: Ids) -> u8;
+
+    /// The index of a pixel of a surface through which `behind` shows. Who asks for what
+    /// is there gets what hides the rest: such a surface hides nothing.
+    fn blend(&self, _: &Pixel<'_>, behind: u8, _: &Blend<'_>) -> u8 {
+        behind
+    }
 }
 
 /// The scene as it looks.
@@ -74,6 +80,11 @@ impl Paint for Shaded {
     #[inline(always)]
     fn surface(&self, pixel: &Pixel<'_>, _: Ids) -> u8 {
         dithered(pixel, self.dither)
+    }
+
+    #[inline(always)]
+    fn blend(&self, pixel: &Pixel<'_>, behind: u8, blend: &Blend<'_>) -> u8 {
+        blended(pixel, behind, blend, self.dither)
     }
 }
 

@@ -23,7 +23,8 @@ pub struct Picked {
 }
 
 /// The actor and the triangle that the pixel in column `x` and row `y` shows; `None`
-/// where nothing but the background is. Draws one row six times; `band` is as wide as
+/// where nothing but the background is. Blended surfaces hide nothing and are not
+/// picked. Draws one row six times; `band` is as wide as
 /// the frame, and a single row will do.
 pub fn pick(
     scene: &Scene<'_>,

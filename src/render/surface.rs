@@ -13,9 +13,11 @@ use crate::math::FineLevel;
 use crate::raster::{
     Corner, Drawn, MOST_ATTRIBUTES, Run, Sides, SurfaceKind, Values, draw_surface, draw_triangle,
 };
-use crate::scene::NO_TEXEL;
 use crate::scene::layout::{COLOURS, TEXTURE_SHADES};
-use crate::shade::{Attributes, Lighting, Lookup, Pixel, Sampler, Surface, on_texel};
+use crate::scene::{NO_TEXEL, Transparency};
+use crate::shade::{
+    Attributes, Blend, Lighting, Lookup, Pixel, Sampler, ScreenDoor, Surface, on_texel,
+};
 use crate::vertex::{surface_point, vertex};
 use crate::view::{MeshletRows, round_level};
 
@@ -67,10 +69,47 @@ pub(super) fn draw_surface_meshlet<P: Paint>(
         kind: SurfaceKind {
             attributes: attributes.count(),
             footprint: sampler.as_ref().is_some_and(|s| s.texture.copies > 1),
+            outlined: sampler.as_ref().is_some_and(|s| s.texture.cut_out),
         },
         sides: part.sides(),
+        through: Through::of(part),
     };
+    let Sides { front, back } = surfaces.sides;
+    if let Through::Blend(_) = surfaces.through
+        && front
+        && back
+    {
+        // What faces away lies behind what faces the eye, at least in one meshlet of a
+        // convex thing.
+        surfaces.sides.front = false;
+        triangles(scene, view, meshlet, part.transformed, stats, &mut surfaces);
+        surfaces.sides = Sides { front, back: false };
+    }
     triangles(scene, view, meshlet, part.transformed, stats, &mut surfaces);
+}
+
+/// How what is behind a surface shows through.
+#[derive(Clone, Copy)]
+enum Through<'a> {
+    Nothing,
+    Door(ScreenDoor),
+    Blend(Blend<'a>),
+}
+
+impl<'a> Through<'a> {
+    fn of(part: &Part<'a>) -> Self {
+        if !cfg!(feature = "transparency") {
+            return Self::Nothing;
+        }
+        match part.view.material.transparency {
+            Transparency::Opaque => Self::Nothing,
+            Transparency::ScreenDoor { first, pixels } => Self::Door(ScreenDoor { first, pixels }),
+            Transparency::Blend { opacity } => Self::Blend(Blend {
+                opacity,
+                palette: part.scene.palette(),
+            }),
+        }
+    }
 }
 
 /// What the triangles of such a meshlet have in common.
@@ -83,6 +122,7 @@ struct Surfaces<'a, 't, P> {
     way: Way<'a>,
     kind: SurfaceKind,
     sides: Sides,
+    through: Through<'a>,
 }
 
 impl<P: Paint> Draw for Surfaces<'_, '_, P> {
@@ -90,7 +130,10 @@ impl<P: Paint> Draw for Surfaces<'_, '_, P> {
         let part = self.corners.part;
         let ids = part.ids(triangle.number);
         let lighting = self.surface.attributes.lighting;
-        if let (Way::Levels(shades), Lighting::Face) = (self.way, lighting) {
+        let through = self.through;
+        if let (Way::Levels(shades), Lighting::Face, Through::Nothing) =
+            (self.way, lighting, through)
+        {
             let fill = || {
                 let Parts { body, gloss } = self.corners.face(triangle);
                 let [level, ..] = sum(body, gloss);
@@ -100,25 +143,37 @@ impl<P: Paint> Draw for Surfaces<'_, '_, P> {
             let perspective = part.view.perspective;
             return draw_triangle(self.target, triangle.corners, self.sides, perspective, fill);
         }
+        let corners = self.corners;
         let face = OnceCell::new();
+        let face = || *face.get_or_init(|| corners.face(triangle));
+        let (paint, way, surface) = (self.paint, self.way, self.surface);
+        let (sampler, target) = (self.sampler, &mut *self.target);
+        let whole = |run: &mut Run<'_>| {
+            draw_run(paint, ids, way, surface, sampler, face(), run);
+        };
+        // Kernels are linked once, whoever calls them.
+        let whole: &dyn Fn(&mut Run<'_>) = &whole;
+        let (behind_door, mixed);
+        let shade: &dyn Fn(&mut Run<'_>) = match through {
+            Through::Nothing => whole,
+            Through::Door(door) => {
+                behind_door = move |run: &mut Run<'_>| door.shade(run, whole);
+                &behind_door
+            }
+            Through::Blend(blend) => {
+                mixed = move |run: &mut Run<'_>| {
+                    blend_run(paint, &blend, way, surface, sampler, face(), run);
+                };
+                &mixed
+            }
+        };
         draw_surface(
-            self.target,
+            target,
             triangle.corners,
             self.sides,
             self.kind,
-            &mut || self.corners.of(triangle),
-            &|run| {
-                let face = *face.get_or_init(|| self.corners.face(triangle));
-                draw_run(
-                    self.paint,
-                    ids,
-                    self.way,
-                    self.surface,
-                    self.sampler,
-                    face,
-                    run,
-                );
-            },
+            &mut || corners.of(triangle),
+            shade,
         )
     }
 }
@@ -215,6 +270,41 @@ fn draw_run<P: Paint>(
         }
         (None, Way::Texels(_)) => {}
     }
+}
+
+/// Mixes a run of pixels with what is behind them, which stays as near as it is.
+#[inline(never)]
+fn blend_run<P: Paint>(
+    paint: &P,
+    blend: &Blend<'_>,
+    way: Way<'_>,
+    surface: &Surface<'_>,
+    sampler: Option<&Sampler<'_>>,
+    face: Parts,
+    run: &mut Run<'_>,
+) {
+    // Blended materials go by colour.
+    let Way::Colours(colours) = way else { return };
+    let [left, row] = run.place;
+    let textured = sampler.map(|sampler| (sampler, sampler.path(run)));
+    run.draw::<MOST_ATTRIBUTES>(false, |number, values, behind| {
+        let light = surface.light(values, face);
+        let (lit, texel) = match &textured {
+            None => (sum(light.body, light.gloss), [0; 2]),
+            Some((sampler, path)) => {
+                let at = path.at(number);
+                let lit = on_texel(light, sampler.colour(path, at)?);
+                (lit, path.in_picture(at))
+            }
+        };
+        let pixel = Pixel {
+            lookup: Lookup::Colours(colours),
+            lit,
+            place: [left + number, row],
+            texel,
+        };
+        Some(paint.blend(&pixel, behind, blend))
+    });
 }
 
 /// Where corners get their attributes.

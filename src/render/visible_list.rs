@@ -12,7 +12,7 @@ use crate::scene::layout::MESHLETS;
 /// A meshlet that may be visible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// The meshlet in the low 26 bits, the pass above, the viewport in the last four.
+    /// The meshlet in the low 25 bits, the pass above, the viewport in the last four.
     pub(super) key: u32,
     pub(super) actor: u16,
     /// Rows of the frame.
@@ -22,7 +22,9 @@ pub struct Entry {
 }
 
 const PASS_SHIFT: u32 = MESHLETS.ilog2();
+const PASSES: u32 = 7;
 const VIEWPORT_SHIFT: u32 = 28;
+const _: () = assert!(PASSES << PASS_SHIFT == (1 << VIEWPORT_SHIFT) - (1 << PASS_SHIFT));
 
 /// The order of drawing: no two meshlets of a frame have the same place in it,
 /// so that the picture does not depend on how many the list holds.
@@ -50,24 +52,25 @@ impl Entry {
     }
 
     pub(super) fn pass(&self) -> Pass {
-        let code = (self.key >> PASS_SHIFT & 3) as usize;
+        let code = (self.key >> PASS_SHIFT & PASSES) as usize;
         Pass::ALL.get(code).copied().unwrap_or(Pass::Surface)
     }
 
     /// The meshlet and the viewport: its vertices are the same in all passes.
     pub(super) fn cache_key(&self) -> u32 {
-        self.key & !(3 << PASS_SHIFT)
+        self.key & !(PASSES << PASS_SHIFT)
     }
 
-    /// By viewport, then by pass, then near ones first, then by actor and meshlet.
+    /// By viewport, then by pass, then near ones first (blended ones last), then by
+    /// actor and meshlet.
     fn place(&self) -> Place {
-        let near = if self.pass() == Pass::Over {
-            0
-        } else {
-            u32::from(u16::MAX - self.nearness)
+        let near = match self.pass() {
+            Pass::Over => 0,
+            Pass::Blended => self.nearness,
+            _ => u16::MAX - self.nearness,
         };
         let part = self.key >> PASS_SHIFT;
-        (part << 16 | near, self.actor, self.key)
+        (part << 16 | u32::from(near), self.actor, self.key)
     }
 }
 
@@ -97,7 +100,8 @@ pub(super) fn fill<'e>(
             continue;
         };
         let look = lines::look(scene, actor);
-        let (passes, reach) = (Pass::of(look.as_ref()), look.map_or(0, |look| look.reach()));
+        let passes = Pass::of(look.as_ref(), view.material.is_blended());
+        let reach = look.map_or(0, |look| look.reach());
         for number in mesh.first_meshlet..mesh.first_meshlet.saturating_add(mesh.meshlets) {
             let Some(meshlet) = scene.meshlet(number) else {
                 continue;

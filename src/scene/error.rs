@@ -132,6 +132,7 @@ pub enum Field {
     Texture,
     Size,
     Texel,
+    Opacity,
 }
 
 /// Why a blob was refused. Nothing of a refused blob is used.

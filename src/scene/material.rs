@@ -47,6 +47,25 @@ pub struct Channels {
     pub specular: [u16; 3],
 }
 
+/// How much of what is behind a surface shows through it, and how.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Transparency {
+    /// Nothing does.
+    Opaque,
+    /// Some pixels are the surface's, the others are not drawn.
+    ScreenDoor {
+        /// Where in the pattern's 64 thresholds those of the surface begin, 0..=63.
+        first: u8,
+        /// How many of 64 pixels are the surface's, 0..=64.
+        pixels: u8,
+    },
+    /// Colours are mixed. The material goes by colour.
+    Blend {
+        /// The surface's part in 256, 0..=256.
+        opacity: u16,
+    },
+}
+
 /// A surface's answer to light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Material {
@@ -74,6 +93,8 @@ pub struct Material {
     /// If `full`, what it is made of; of a material that goes by level the first
     /// channel counts.
     pub channels: Channels,
+    /// How what is behind it shows through.
+    pub transparency: Transparency,
 }
 
 /// How colours between palette entries are shown.
@@ -127,6 +148,7 @@ impl Material {
             diffuse: [0; 3],
             specular: [0; 3],
         },
+        transparency: Transparency::Opaque,
     };
 
     /// Whether its triangles need more than a flat or a Gouraud fill.
@@ -135,18 +157,27 @@ impl Material {
             || self.texture.is_some()
             || self.shading == Shading::Phong
             || self.full && self.shading == Shading::Flat
+            || self.transparency != Transparency::Opaque
+    }
+
+    /// Whether its colours are mixed with what is behind it, so that it is drawn after
+    /// all that hides it or that it shows.
+    pub fn is_blended(&self) -> bool {
+        cfg!(feature = "transparency") && matches!(self.transparency, Transparency::Blend { .. })
     }
 }
 
 impl Record for Material {
-    type Words = [u32; 8];
+    type Words = [u32; 9];
 
     fn from_words(words: &Self::Words) -> Self {
         let [head, ambient, diffuse, rest @ ..] = *words;
         let [shading, cull, low, high] = head.to_ne_bytes();
         let [ambient_low, ambient_high, flags, texture] = ambient.to_ne_bytes();
-        let [r, g, b, s, t] = rest.map(halves);
+        let [r, g, b, s, t, through] = rest.map(halves);
         let ([r0, r1], [g0, g1], [b0, b1], [s0, s1], [power, s2]) = (r, g, b, s, t);
+        let [through, opacity] = through;
+        let [kind, first] = through.to_le_bytes();
         Self {
             shading: pick(&Shading::ALL, shading, Shading::Gouraud),
             cull: pick(&Cull::ALL, cull, Cull::None),
@@ -163,6 +194,14 @@ impl Record for Material {
                 diffuse: [r1, g1, b1],
                 specular: [s0, s1, s2],
             },
+            transparency: match kind {
+                0 => Transparency::Opaque,
+                1 => Transparency::ScreenDoor {
+                    first,
+                    pixels: opacity.min(64) as u8,
+                },
+                _ => Transparency::Blend { opacity },
+            },
         }
     }
 
@@ -177,6 +216,11 @@ impl Record for Material {
             diffuse: [r1, g1, b1],
             specular: [s0, s1, s2],
         } = self.channels;
+        let (kind, first, opacity) = match self.transparency {
+            Transparency::Opaque => (0, 0, 0),
+            Transparency::ScreenDoor { first, pixels } => (1, first, u16::from(pixels)),
+            Transparency::Blend { opacity } => (2, 0, opacity),
+        };
         [
             u32::from_ne_bytes(head),
             u32::from_ne_bytes([ambient_low, ambient_high, flags, texture]),
@@ -186,6 +230,7 @@ impl Record for Material {
             join([b0, b1]),
             join([s0, s1]),
             join([self.power, s2]),
+            join([u16::from_le_bytes([kind, first]), opacity]),
         ]
     }
 }

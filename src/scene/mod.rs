@@ -26,7 +26,7 @@ pub use fog::{Fog, FogMode};
 pub use header::Header;
 pub use light::{Light, LightKind};
 pub use look::{Look, Representation};
-pub use material::{Channels, Cull, Dither, DitherPattern, Material, Shading};
+pub use material::{Channels, Cull, Dither, DitherPattern, Material, Shading, Transparency};
 pub use output::{Output, Stereo};
 pub use parse::Scene;
 pub use pose::{Camera, Place, Placement, Pose, Projection};
@@ -40,7 +40,7 @@ pub mod layout {
     /// `FXL1`.
     pub const MAGIC: u32 = u32::from_le_bytes(*b"FXL1");
     /// Version of the layout. A reader refuses any other.
-    pub const VERSION: u32 = 2;
+    pub const VERSION: u32 = 3;
     /// Words of the header, before the section table.
     pub const HEADER_WORDS: usize = 27;
     /// Sections; each has two words in the table: byte offset and count.
@@ -52,7 +52,7 @@ pub mod layout {
     /// Colours that the look-up tells apart: 4 bits each of red, green and blue.
     pub const COLOURS: usize = 1 << 12;
     /// Most meshlets of a scene.
-    pub const MESHLETS: usize = 1 << 26;
+    pub const MESHLETS: usize = 1 << 25;
     /// Base colours of all textures.
     pub const BASES: usize = 64;
     /// Entries of a table from light level (64 of them) and base colour to index.

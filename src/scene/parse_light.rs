@@ -3,7 +3,7 @@
 use super::parse::{count, range};
 use super::{
     Cull, Field, Light, LightKind, Material, Mesh, NO_TEXEL, Record, Scene, SceneError, Section,
-    Shading, Texture, layout,
+    Shading, Texture, Transparency, layout,
 };
 
 impl Scene<'_> {
@@ -113,6 +113,7 @@ impl Scene<'_> {
             }
             range(s, i, Field::Intensity, material.diffuse.into(), 0, 1 << 16)?;
             range(s, i, Field::Power, material.power.into(), 1 << 8, 128 << 8)?;
+            self.check_transparency(i, &material)?;
             if material.coloured {
                 let (full, colours) = (material.full.into(), self.colours.len() as i64);
                 range(s, i, Field::Coloured, full, 1, 1)?;
@@ -120,5 +121,26 @@ impl Scene<'_> {
             }
         }
         Ok(())
+    }
+
+    fn check_transparency(&self, i: usize, material: &Material) -> Result<(), SceneError> {
+        let s = Section::Materials;
+        if !cfg!(feature = "transparency") && material.transparency != Transparency::Opaque {
+            return Err(SceneError::Feature {
+                name: "transparency",
+            });
+        }
+        match material.transparency {
+            Transparency::Opaque => Ok(()),
+            Transparency::ScreenDoor { first, pixels } => {
+                range(s, i, Field::Opacity, first.into(), 0, 63)?;
+                range(s, i, Field::Opacity, pixels.into(), 0, 64)?;
+                range(s, i, Field::Opacity, material.full.into(), 1, 1)
+            }
+            Transparency::Blend { opacity } => {
+                range(s, i, Field::Opacity, opacity.into(), 0, 256)?;
+                range(s, i, Field::Coloured, material.coloured.into(), 1, 1)
+            }
+        }
     }
 }

@@ -35,6 +35,8 @@ pub struct Texture {
     pub bilinear: bool,
     /// Whether coordinates are interpolated in space, not along the screen.
     pub perspective: bool,
+    /// Whether some texels are [`NO_TEXEL`]: their edges are outlines.
+    pub cut_out: bool,
 }
 
 /// A texel of which nothing is seen.
@@ -72,13 +74,16 @@ impl Record for Texture {
                 .unwrap_or(Wrap::Repeat),
             bilinear: flags & 1 != 0,
             perspective: flags & 2 != 0,
+            cut_out: flags & 4 != 0,
         }
     }
 
     fn to_words(&self) -> Self::Words {
         let [width, height] = self.size;
-        let flags =
-            u8::from(self.bilinear) | u8::from(self.perspective) << 1 | (self.wrap as u8) << 4;
+        let flags = u8::from(self.bilinear)
+            | u8::from(self.perspective) << 1
+            | u8::from(self.cut_out) << 2
+            | (self.wrap as u8) << 4;
         let head = u32::from_ne_bytes([width, height, self.copies, flags]);
         [head, self.first.to_le()]
     }

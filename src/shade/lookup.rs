@@ -1,5 +1,6 @@
 //! From light to a palette index.
 
+use super::bayer::{bayer4, bayer8};
 use crate::light::Lit;
 use crate::scene::layout::{BASES, COLOURS, TEXTURE_SHADES};
 use crate::scene::{Dither, DitherPattern};
@@ -44,21 +45,10 @@ impl Dither {
     /// What is added to a channel at a screen column and row.
     #[inline(always)]
     fn offset(self, [column, row]: [i32; 2]) -> i32 {
-        // The bits of x ^ y and y from the lowest to the highest, interleaved.
-        let (a, b) = (column ^ row, row);
         let threshold = match self.pattern {
             DitherPattern::None => return 0,
-            DitherPattern::Bayer4 => {
-                ((a & 1) << 3 | (b & 1) << 2 | (a & 2) | (b & 2) >> 1) << 2 | 2
-            }
-            DitherPattern::Bayer8 => {
-                (a & 1) << 5
-                    | (b & 1) << 4
-                    | (a & 2) << 2
-                    | (b & 2) << 1
-                    | (a & 4) >> 1
-                    | (b & 4) >> 2
-            }
+            DitherPattern::Bayer4 => bayer4([column, row]) << 2 | 2,
+            DitherPattern::Bayer8 => bayer8([column, row]),
         };
         let spread = i32::from(self.spread);
         (((threshold << 1 | 1) * spread) >> 7) - (spread >> 1)

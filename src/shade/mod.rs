@@ -2,10 +2,13 @@
 //! pixels with their attributes. Out: light, level or colour, and the palette index
 //! for it. Used by `render`.
 
+mod bayer;
 mod lookup;
 mod surface;
 mod texture;
+mod transparency;
 
 pub use lookup::{Lookup, Pixel, dithered};
 pub use surface::{Attributes, Lighting, Surface, on_texel};
 pub use texture::{Path, Sampler};
+pub use transparency::{Blend, ScreenDoor, blended};

@@ -110,6 +110,8 @@ fn no_capacity_and_no_band_height_changes_a_byte() {
         "wireframe",
         "hidden_line",
         "lines_markers_text",
+        "screen_door",
+        "blend",
     ] {
         let (_, baked) = load(&root().join(format!("scenes/{name}.toml")));
         let scene = baked.scene().expect("baked a moment ago");

@@ -30,6 +30,7 @@ fn drawn(vertices: &[ScreenVertex; 3], corners: [Corner; 3]) -> Vec<Seen> {
     let kind = SurfaceKind {
         attributes: COUNT,
         footprint: false,
+        outlined: false,
     };
     let seen = RefCell::new(Vec::new());
     draw_surface(

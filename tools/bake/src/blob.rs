@@ -16,6 +16,7 @@ use crate::records::{Instances, actors, header};
 use crate::texture::textures;
 use crate::texturing::{Texturing, padded};
 use crate::track::tracks;
+use crate::transparency::{possible, transparencies};
 use crate::units::Units;
 use crate::viewport::{output, viewports};
 
@@ -86,11 +87,7 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
     at_most("actors", scene.actors.len(), 65535)?;
     at_most("materials", scene.materials.len(), 65535)?;
     at_most("lights with a direction", scene.lights.len(), LIGHTS)?;
-    if let Some(material) = scene.materials.iter().find(|m| m.opacity < 1.0) {
-        return Err(BakeError::NotYet {
-            what: format!("material `{}`: opacity {}", material.name, material.opacity),
-        });
-    }
+    possible(scene)?;
     let units = Units::new(scene);
     let textures = textures(scene);
     let texturing = Texturing::new(&textures.textures)?;
@@ -126,7 +123,8 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
         .iter()
         .zip(&tables.paths)
         .zip(&textures.of_material)
-        .map(|((m, path), texture)| material(scene, *path, *texture, m));
+        .zip(transparencies(scene))
+        .map(|(((m, path), texture), how)| material(scene, *path, *texture, how, m));
     let mut materials = materials.collect::<Vec<_>>();
     let looks = looks(scene, &mut materials)?;
     let instances = Instances {

@@ -24,6 +24,7 @@ mod snap;
 mod texture;
 mod texturing;
 mod track;
+mod transparency;
 mod unbake;
 mod units;
 mod viewport;

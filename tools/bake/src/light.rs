@@ -80,6 +80,7 @@ pub(crate) fn material(
     scene: &Scene,
     path: Path,
     texture: Option<usize>,
+    transparency: core_scene::Transparency,
     material: &Material,
 ) -> core_scene::Material {
     let (shade, coloured) = match path {
@@ -104,12 +105,17 @@ pub(crate) fn material(
         shade,
         ambient: (ambient_level(material, &scene.ambient) * 64.0).round() as u16,
         diffuse: (material.diffuse.clamp(0.0, 1.0) * 65536.0).round() as u32,
-        full: coloured || !plain || material.specular > 0.0 || material.shading == Shading::Phong,
+        full: coloured
+            || !plain
+            || material.specular > 0.0
+            || material.shading == Shading::Phong
+            || transparency != core_scene::Transparency::Opaque,
         coloured,
         // At most 255 of them.
         texture: texture.map(|index| index as u8),
         power: (material.specular_power * 256.0).round() as u16,
         channels: channels(scene, material, coloured),
+        transparency,
     }
 }
 

@@ -34,6 +34,7 @@ impl Texturing {
                 },
                 bilinear: texture.filter == Filter::Bilinear,
                 perspective: texture.perspective,
+                cut_out: texture.copies.concat().contains(&NO_TEXEL),
             });
             let texels = texture.copies.concat();
             first += texels.len() as u32;

@@ -205,6 +205,7 @@ fn material(
 ) -> Material {
     let unit = |level: u16| f64::from(level) / (64.0 * 255.0);
     let channels = material.channels;
+    let (opacity, transparency) = crate::transparency::unbake(material.transparency);
     let [specular, ..] = channels.specular;
     let by_level = Material {
         ambient_colour: colour,
@@ -226,6 +227,8 @@ fn material(
     Material {
         name: format!("material {}", number + 1),
         specular_power: f64::from(material.power) / 256.0,
+        opacity,
+        transparency,
         texture: material.texture.and_then(|t| texture::texturing(blob, t)),
         shading: match material.shading {
             core_scene::Shading::Flat => Shading::Flat,

@@ -253,10 +253,17 @@ impl Lookup {
     /// The palette index of every pixel of the truth, without dithering.
     pub(crate) fn indices(&self, truth: &Truth) -> Vec<u8> {
         let bases: Vec<Nearest> = self.paths.iter().map(Nearest::of).collect();
-        let index = |(i, pixel): (usize, &Option<Hit>)| match pixel {
-            Some(hit) => self.index(hit, &bases, self.background[i]),
-            None if truth.is_resampled(i) => self.colour_index(truth.background[i]),
-            None => self.background[i],
+        let index = |(i, pixel): (usize, &Option<Hit>)| {
+            let behind = match pixel {
+                Some(hit) => self.index(hit, &bases, self.background[i]),
+                None if truth.is_resampled(i) => self.colour_index(truth.background[i]),
+                None => self.background[i],
+            };
+            // Only entries of the palette can be kept from layer to layer.
+            truth.layers[i].iter().fold(behind, |behind, layer| {
+                let colour = self.palette[usize::from(behind)].map(|c| f64::from(c) / 255.0);
+                self.colour_index(layer.over(colour))
+            })
         };
         truth.pixels.iter().enumerate().map(index).collect()
     }

@@ -5,7 +5,9 @@ use crate::model::actor_matrix;
 use crate::ray::{self, Meeting, Ray};
 use crate::texture::{Texel, Texture};
 use crate::view::View;
-use fixel_scene::{Actor, Cull, Material, Mesh, Representation, Scene, Shading, Texturing};
+use fixel_scene::{
+    Actor, Cull, Material, Mesh, Representation, Scene, Shading, Texturing, Transparency,
+};
 use glam::{DMat3, DVec2, DVec3};
 
 /// How a face is lit.
@@ -37,6 +39,69 @@ pub(crate) struct Face {
     /// Of a hidden-line actor, which shows the background: how much deeper than it
     /// is it lies, in units of the 16-bit depth buffer.
     pub sunk_lsb: Option<f64>,
+    /// How what is behind it shows through.
+    pub through: Through,
+}
+
+/// How what is behind a face shows through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Through {
+    /// Not at all.
+    Opaque,
+    /// At some pixels: see [`Transparency::ScreenDoor`].
+    Door(ScreenDoor),
+    /// Mixed; of the colour seen, so much is the face's.
+    Blend(f64),
+}
+
+/// A pattern of pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ScreenDoor {
+    /// How many of them are drawn before this material.
+    before: usize,
+    opacity: f64,
+}
+
+impl ScreenDoor {
+    /// Whether the surface is drawn at a pixel of its viewport.
+    fn draws(&self, [x, y]: [u32; 2]) -> bool {
+        // Bayer's recursion: M of twice the size is 4 M + (0 2 / 3 1), the corners of
+        // each square of the smaller size in turn.
+        let (mut threshold, mut side) = (0, 4);
+        for weight in [1, 4, 16] {
+            let corner = (x / side % 2, y / side % 2);
+            threshold += weight
+                * match corner {
+                    (0, 0) => 0,
+                    (1, 0) => 2,
+                    (0, 1) => 3,
+                    _ => 1,
+                };
+            side /= 2;
+        }
+        let shifted = (threshold + 64 - 16 * (self.before % 4)) % 64;
+        (shifted as f64) < (64.0 * self.opacity).round()
+    }
+}
+
+impl Through {
+    /// Of each material of a scene.
+    fn all(scene: &Scene) -> Vec<Self> {
+        let mut before = 0;
+        let mut of = |material: &Material| {
+            let opacity = material.opacity;
+            match material.transparency {
+                _ if opacity >= 1.0 => Self::Opaque,
+                Transparency::Blend => Self::Blend(opacity),
+                Transparency::ScreenDoor => {
+                    let door = ScreenDoor { before, opacity };
+                    before += 1;
+                    Self::Door(door)
+                }
+            }
+        };
+        scene.materials.iter().map(&mut of).collect()
+    }
 }
 
 /// How a texture lies on a face.
@@ -90,6 +155,7 @@ impl Geometry {
     pub fn new(scene: &Scene, view: &View, frame: u32) -> Self {
         let lights = Lights::new(scene);
         let textures: Vec<Texture> = scene.textures.iter().map(Texture::new).collect();
+        let through = Through::all(scene);
         let mut faces = Vec::new();
         let mut first = vec![0];
         for (index, actor) in scene.actors.iter().enumerate() {
@@ -97,7 +163,11 @@ impl Geometry {
             let shown = [Representation::Surface, Representation::HiddenLine];
             if shown.contains(&look.representation) {
                 let given = (view, &lights, &textures[..]);
+                let own = faces.len();
                 place(scene, given, (index, actor), frame, &mut faces);
+                for face in &mut faces[own..] {
+                    face.through = through[actor.material];
+                }
             }
             first.push(faces.len());
         }
@@ -147,6 +217,11 @@ impl Geometry {
 
     /// Whether a face is seen through at a pixel.
     pub fn is_hole(&self, face: &Face, pixel: [u32; 2], view: &View) -> bool {
+        if let Through::Door(door) = &face.through
+            && !door.draws(pixel)
+        {
+            return true;
+        }
         let tested = |laid: &Laid| laid.how.alpha_test > 0.0;
         face.texture.as_deref().is_some_and(tested)
             && self
@@ -315,6 +390,7 @@ fn place(
                 placing.texture([a, b, c], corners)
             },
             sunk_lsb: hidden.then(sunk),
+            through: Through::Opaque,
         });
     }
 }

@@ -42,5 +42,5 @@ pub use model::actor_matrix;
 pub use render::{Options, render, render_watched};
 pub use report::{Mismatch, MismatchKind, PSNR_IDENTICAL_DB, Report};
 pub use trace::{RayCounts, render_rays, render_rays_watched};
-pub use truth::{Hit, Truth};
+pub use truth::{Hit, Layer, Truth};
 pub use view::View;

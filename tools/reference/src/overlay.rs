@@ -15,7 +15,7 @@ use crate::fog::fog_part;
 use crate::geometry::Placing;
 use crate::letters;
 use crate::light::Lit;
-use crate::truth::Hit;
+use crate::truth::{Hit, Layer};
 use crate::view::View;
 use crate::window::Window;
 use fixel_scene::{Fog, Look, Mark, Representation, Scene, Shape, Space};
@@ -65,7 +65,7 @@ pub(crate) fn draw(
     windows: &[Window],
     frame: u32,
     width: u32,
-    pixels: &mut [Option<Hit>],
+    (pixels, layers): (&mut [Option<Hit>], &mut [Vec<Layer>]),
 ) -> Overlay {
     let mut overlay = Overlay::default();
     let Some((window, later)) = windows.split_first() else {
@@ -89,6 +89,7 @@ pub(crate) fn draw(
                 later,
                 fog: scene.fog,
                 pixels,
+                layers,
                 overlay: &mut overlay,
             };
             match actor.look.representation {
@@ -117,6 +118,8 @@ struct Canvas<'a> {
     later: &'a [Window],
     fog: Option<Fog>,
     pixels: &'a mut [Option<Hit>],
+    /// Blended surfaces before them.
+    layers: &'a mut [Vec<Layer>],
     overlay: &'a mut Overlay,
 }
 
@@ -337,6 +340,9 @@ impl Canvas<'_> {
         if self.look.depth_test && depth_lsb <= behind {
             return;
         }
+        // What is over everything is over them too.
+        let shown = self.look.depth_test;
+        self.layers[number].retain(|layer| shown && layer.depth_lsb > depth_lsb);
         self.pixels[number] = Some(Hit {
             depth_lsb,
             actor: self.actor,

@@ -2,11 +2,11 @@
 
 use crate::bvh::{Bvh, bounds};
 use crate::fog::fog_part;
-use crate::geometry::{Face, Geometry};
+use crate::geometry::{Face, Geometry, Through};
 use crate::light::Lit;
 use crate::overlay;
 use crate::ray::Meeting;
-use crate::truth::{Hit, Truth};
+use crate::truth::{Hit, Layer, Truth};
 use crate::view::View;
 use crate::window::{Window, row_colour, sampled_size};
 use fixel_scene::Scene;
@@ -52,12 +52,14 @@ pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sy
         .collect();
     let pixels_in_all = width as usize * height as usize;
     let mut pixels = vec![None; pixels_in_all];
+    let mut layers = vec![Vec::new(); pixels_in_all];
     let mut background = vec![[0.0; 3]; pixels_in_all];
     pixels
         .par_chunks_mut(width as usize)
+        .zip(layers.par_chunks_mut(width as usize))
         .zip(background.par_chunks_mut(width as usize))
         .enumerate()
-        .for_each(|(y, (row, background))| {
+        .for_each(|(y, ((row, layers), background))| {
             let y = y as u32;
             background.fill(row_colour(&scene.display.background, y, height));
             for (window, bvh) in windows.iter().zip(&trees) {
@@ -65,8 +67,13 @@ pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sy
                 for (x, [column, y]) in places {
                     let (geometry, view) = (&window.geometry, &window.view);
                     background[x as usize] = window.background(y);
-                    row[x as usize] = nearest(geometry, bvh, view, [column, y])
-                        .map(|seen| seen.hit(geometry, view, scene, [column, y]));
+                    let (surface, before) = nearest(geometry, bvh, view, [column, y]);
+                    let at = [column, y];
+                    row[x as usize] = surface.map(|seen| seen.hit(geometry, view, scene, at));
+                    layers[x as usize] = before
+                        .iter()
+                        .filter_map(|seen| seen.layer(geometry, view, scene, at))
+                        .collect();
                 }
             }
             row_done();
@@ -74,13 +81,22 @@ pub fn render_watched(scene: &Scene, options: Options, row_done: &(dyn Fn() + Sy
     let overlays = windows
         .iter()
         .enumerate()
-        .map(|(i, _)| overlay::draw(scene, &windows[i..], frame, width, &mut pixels))
+        .map(|(i, _)| {
+            overlay::draw(
+                scene,
+                &windows[i..],
+                frame,
+                width,
+                (&mut pixels, &mut layers),
+            )
+        })
         .collect();
     let materials = scene.materials.len();
     Truth {
         width,
         height,
         pixels,
+        layers,
         background,
         fog: scene.fog,
         samples: scene.display.samples,
@@ -106,6 +122,25 @@ impl Seen<'_> {
         let own = view.depth_lsb(self.meeting.w) - self.face.sunk_lsb.unwrap_or(0.0);
         let second = self.second.map_or(f64::NEG_INFINITY, |w| view.depth_lsb(w));
         (own, second)
+    }
+
+    /// What it adds to what is behind it, if it is blended.
+    fn layer(
+        &self,
+        geometry: &Geometry,
+        view: &View,
+        scene: &Scene,
+        at: [u32; 2],
+    ) -> Option<Layer> {
+        let Through::Blend(opacity) = self.face.through else {
+            return None;
+        };
+        let hit = self.hit(geometry, view, scene, at);
+        Some(Layer {
+            colour: hit.colour,
+            opacity,
+            depth_lsb: hit.depth_lsb,
+        })
     }
 
     fn hit(&self, geometry: &Geometry, view: &View, scene: &Scene, at: [u32; 2]) -> Hit {
@@ -137,7 +172,13 @@ impl Seen<'_> {
     }
 }
 
-fn nearest<'a>(geometry: &'a Geometry, bvh: &Bvh, view: &View, at: [u32; 2]) -> Option<Seen<'a>> {
+/// The nearest face that is not blended, and the blended ones before it, far ones first.
+fn nearest<'a>(
+    geometry: &'a Geometry,
+    bvh: &Bvh,
+    view: &View,
+    at: [u32; 2],
+) -> (Option<Seen<'a>>, Vec<Seen<'a>>) {
     let faces = &geometry.faces;
     let ray = view.ray(at[0], at[1]);
     let [near, far] = view.range();
@@ -145,11 +186,16 @@ fn nearest<'a>(geometry: &'a Geometry, bvh: &Bvh, view: &View, at: [u32; 2]) -> 
     let mut second: Option<f64> = None;
     // Faces that lie deeper than they are, by depth.
     let mut sunk: Option<Seen<'a>> = None;
+    let mut blended: Vec<(usize, Meeting)> = Vec::new();
     bvh.walk(&ray.line(), near, far, |index| {
         let face = &faces[index];
         if let Some(meeting) = face.seen(&ray, view)
             && !geometry.is_hole(face, at, view)
         {
+            if let Through::Blend(_) = face.through {
+                blended.push((index, meeting));
+                return second.unwrap_or(far);
+            }
             if face.sunk_lsb.is_some() {
                 let seen = Seen {
                     face,
@@ -182,13 +228,22 @@ fn nearest<'a>(geometry: &'a Geometry, bvh: &Bvh, view: &View, at: [u32; 2]) -> 
         meeting,
         second,
     });
-    match (surface, sunk) {
+    let surface = match (surface, sunk) {
         (Some(surface), Some(sunk)) => {
             let deeper = surface.depths_lsb(view).0 < sunk.depths_lsb(view).0;
             Some(if deeper { sunk } else { surface })
         }
         (surface, sunk) => surface.or(sunk),
-    }
+    };
+    let depth_lsb = surface.as_ref().map(|seen| seen.depths_lsb(view).0);
+    blended.sort_by(|a, b| b.1.w.total_cmp(&a.1.w).then(a.0.cmp(&b.0)));
+    let blended = blended.into_iter().map(|(index, meeting)| Seen {
+        face: &faces[index],
+        meeting,
+        second: None,
+    });
+    let before = |seen: &Seen<'_>| depth_lsb.is_none_or(|behind| seen.depths_lsb(view).0 > behind);
+    (surface, blended.filter(before).collect())
 }
 
 /// Whether face and distance `a` hide `b`.

@@ -5,8 +5,10 @@ use crate::overlay::Overlay;
 use crate::trace::{RayCounts, Reach, Traced};
 use crate::window::Window;
 use fixel_scene::{Fog, Rgb};
+use glam::DVec3;
 
-/// The surface seen at a pixel's centre.
+/// The surface seen at a pixel's centre: the nearest that is not blended. Of a screen
+/// door's pixels those that are not its own show what is behind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
     /// Depth in units of the 16-bit buffer, unrounded, 0..=65535; larger is
@@ -45,12 +47,34 @@ pub struct Hit {
     pub hidden: bool,
 }
 
+/// A blended surface before what is seen at a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layer {
+    /// Its own colour, each channel in 0..=1.
+    pub colour: Rgb,
+    /// How much of it is seen, 0..=1.
+    pub opacity: f64,
+    /// Its depth; see [`Hit::depth_lsb`].
+    pub depth_lsb: f64,
+}
+
+impl Layer {
+    /// The colour seen, given that of what is behind it.
+    pub(crate) fn over(&self, behind: Rgb) -> Rgb {
+        DVec3::from(behind)
+            .lerp(self.colour.into(), self.opacity)
+            .into()
+    }
+}
+
 /// The truth about a picture. Pixels go by rows from the top left.
 #[derive(Clone, Debug)]
 pub struct Truth {
     pub(crate) width: u32,
     pub(crate) height: u32,
     pub(crate) pixels: Vec<Option<Hit>>,
+    /// The blended surfaces before each, far ones first.
+    pub(crate) layers: Vec<Vec<Layer>>,
     /// The background's colour at each pixel.
     pub(crate) background: Vec<Rgb>,
     pub(crate) fog: Option<Fog>,
@@ -126,6 +150,12 @@ impl Truth {
         self.traced.as_ref().map(|traced| traced.rays)
     }
 
+    /// The blended surfaces before what is seen at each pixel, far ones first: no part of
+    /// the depth buffer, of coverage or of what is picked.
+    pub fn layers(&self) -> &[Vec<Layer>] {
+        &self.layers
+    }
+
     /// How many pixels show a surface.
     pub fn covered_px(&self) -> usize {
         self.pixels.iter().flatten().count()
@@ -172,15 +202,19 @@ impl Truth {
         self.pixels
             .iter()
             .zip(&self.background)
-            .map(|(pixel, background)| match pixel {
-                Some(hit) => {
-                    let own = if hit.hidden { *background } else { hit.colour };
-                    match &self.fog {
-                        Some(fog) => fogged(fog, own.into(), hit.fog).into(),
-                        None => own,
+            .zip(&self.layers)
+            .map(|((pixel, background), layers)| {
+                let behind = match pixel {
+                    Some(hit) => {
+                        let own = if hit.hidden { *background } else { hit.colour };
+                        match &self.fog {
+                            Some(fog) => fogged(fog, own.into(), hit.fog).into(),
+                            None => own,
+                        }
                     }
-                }
-                None => *background,
+                    None => *background,
+                };
+                layers.iter().fold(behind, |behind, l| l.over(behind))
             })
     }
 

@@ -21,7 +21,7 @@ pub const BENCH: [&str; 6] = [
 /// `scenes/`. Clipping, slivers, a parallel camera and more actors than the
 /// firmware keeps matrices for are among them; chains of parents, key frames and
 /// camera moves.
-pub const PARITY: [&str; 22] = [
+pub const PARITY: [&str; 25] = [
     "teapot",
     "bunny",
     "suzanne",
@@ -44,6 +44,9 @@ pub const PARITY: [&str; 22] = [
     "wireframe",
     "hidden_line",
     "lines_markers_text",
+    "alpha_test",
+    "screen_door",
+    "blend",
 ];
 
 /// The scene whose RAM is held to a limit, and one of another mesh that must

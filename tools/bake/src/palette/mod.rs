@@ -6,7 +6,8 @@
 //! entries are dealt out among these ramps in proportion to their length in Oklab,
 //! evenly along each. If some material goes by colour or has a texture, surfaces are
 //! sampled under the scene's lights, and the palette is made by k-means in Oklab; so
-//! it is if there is fog, with each sample both clear and fogged.
+//! it is if there is fog, with each sample both clear and fogged. What shows through
+//! blended materials is sampled mixed.
 //!
 //! In: the description. Out: [`Tables`], for the blob.
 
@@ -17,6 +18,7 @@ mod ramp;
 mod surface;
 #[cfg(test)]
 mod tests;
+mod through;
 mod way;
 mod window;
 
@@ -28,6 +30,7 @@ use fixel::scene::layout::FOG_ROWS;
 use nearest::{Nearest, lookup};
 use ramp::{Ramp, asked_for, deal};
 use way::Way;
+pub(crate) use way::blended;
 
 /// Rows of a gradient that get their own palette index.
 const GRADIENT_STEPS: usize = 256;

@@ -2,13 +2,16 @@
 //! actor's faces, at a few moments of the animation, those that a camera may see.
 
 use fixel_scene::{
-    Actor, Aspect, Camera, Cull, Fog, Material, Moment, Representation, Scene, Shading, Texturing,
-    Viewport, Wrap,
+    Actor, Aspect, Background, Camera, Cull, Fog, Material, Moment, Representation, Scene, Shading,
+    Texturing, Viewport, Wrap,
 };
 use glam::{DMat3, DMat4, DVec2, DVec3};
 
+use super::background_colours;
 use super::choose::Sample;
 use super::light::{Lit, Point, lit};
+use super::through::{Piece, seen};
+use super::way::blended;
 use super::window::Window;
 use crate::fog::{factor, fogged};
 
@@ -32,17 +35,20 @@ pub(super) fn samples(scene: &Scene) -> Vec<Sample> {
     let mut samples = Vec::new();
     for moment in &moments {
         let windows = windows(scene, &moment.camera);
-        for (window, share) in windows {
+        for (window, share, background) in windows {
             let share = share / moments.len() as f64;
-            for (actor, matrix) in scene.actors.iter().zip(&moment.actors) {
+            let mut pieces = Vec::new();
+            let actors = scene.actors.iter().zip(&moment.actors);
+            for (number, (actor, matrix)) in actors.enumerate() {
                 let matrix = DMat4::from_cols_array_2d(matrix);
                 let surface = Surface::new(scene, actor, matrix, window);
                 if actor.look.representation == Representation::Surface {
-                    surface.sample(share, &mut samples);
+                    surface.sample(share, number, &mut pieces);
                 } else {
                     surface.sample_vertices(share, &mut samples);
                 }
             }
+            samples.extend(seen(pieces, &background_colours(background)));
         }
     }
     let sum: f64 = samples.iter().map(|sample| sample.weight).sum();
@@ -63,7 +69,7 @@ pub(super) fn brightest(scene: &Scene, material: usize) -> f64 {
     };
     let mut most = 0.0;
     for moment in Moment::some(scene, MOMENTS) {
-        for (window, _) in windows(scene, &moment.camera) {
+        for (window, ..) in windows(scene, &moment.camera) {
             for (actor, matrix) in scene.actors.iter().zip(&moment.actors) {
                 if actor.material != material {
                     continue;
@@ -78,21 +84,23 @@ pub(super) fn brightest(scene: &Scene, material: usize) -> f64 {
     most
 }
 
-/// What the cameras see, of each viewport or of the whole picture, and how much of the
-/// picture that is.
-fn windows(scene: &Scene, camera: &Camera) -> Vec<(Window, f64)> {
+/// What the cameras see, of each viewport or of the whole picture, how much of the
+/// picture that is, and what is behind everything.
+fn windows<'a>(scene: &'a Scene, camera: &Camera) -> Vec<(Window, f64, &'a Background)> {
     let whole = f64::from(scene.display.width) / f64::from(scene.display.height);
-    let window = |viewport: &Viewport| {
+    let all = &scene.display.background;
+    let window = |viewport: &'a Viewport| {
         let [_, _, width, height] = viewport.rectangle;
         let aspect = match viewport.aspect {
             Aspect::Keep => whole * width / height,
             Aspect::Stretch => whole,
         };
         let window = Window::new(viewport.camera.as_ref().unwrap_or(camera), aspect);
-        (window, width * height)
+        let background = viewport.background.as_ref().unwrap_or(all);
+        (window, width * height, background)
     };
     if scene.viewports.is_empty() {
-        vec![(Window::new(camera, whole), 1.0)]
+        vec![(Window::new(camera, whole), 1.0, all)]
     } else {
         scene.viewports.iter().map(window).collect()
     }
@@ -135,8 +143,8 @@ impl<'a> Surface<'a> {
     }
 
     /// Cuts faces until each part looks small, and takes one sample of each.
-    /// `share`: how much of all that is looked at this is.
-    fn sample(&self, share: f64, samples: &mut Vec<Sample>) {
+    /// `share`: how much of all that is looked at this is. `layer`: which actor's.
+    fn sample(&self, share: f64, layer: usize, samples: &mut Vec<Piece>) {
         let small = self.window.size() / (SAMPLES * share);
         for triangle in &self.triangles {
             if self.is_away(triangle) {
@@ -156,11 +164,23 @@ impl<'a> Surface<'a> {
                 let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
                 let colour = self.colour(triangle, middle.to_array());
                 let weight = size / self.window.size() * share;
-                samples.push(Sample { colour, weight });
+                let place = self.at(triangle, middle);
+                let piece = |colour| Piece {
+                    sample: Sample { colour, weight },
+                    place: self.window.in_picture(place),
+                    distance: self.window.depth(place),
+                    layer,
+                    opacity: if blended(self.material) {
+                        self.material.opacity
+                    } else {
+                        1.0
+                    },
+                };
+                samples.push(piece(colour));
                 // Fog is laid over palette entries: both colours are needed.
                 if let Some(fog) = &self.scene.fog {
                     let colour = fogged(fog, colour, self.fog(fog, triangle, middle));
-                    samples.push(Sample { colour, weight });
+                    samples.push(piece(colour));
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! Which of the two ways to a pixel a material goes.
 
-use fixel_scene::{Filter, Light, Material, Rgb, Scene};
+use fixel_scene::{Filter, Light, Material, Rgb, Scene, Transparency};
 
 use super::surface::brightest;
 
@@ -35,7 +35,7 @@ impl Way {
     /// - it has no highlights;
     /// - its texels are not blended.
     ///
-    /// All others go by colour.
+    /// All others go by colour, and so do blended ones, whose mixtures lie on no line.
     pub(crate) fn of(scene: &Scene, material: usize) -> Self {
         let surface = &scene.materials[material];
         let tinted = |actor: &&fixel_scene::Actor| {
@@ -49,7 +49,8 @@ impl Way {
                     && surface.ambient_colour == surface.diffuse_colour);
             ambient && surface.specular == 0.0
         };
-        let on_a_line = scene.lights.iter().all(is_grey)
+        let on_a_line = !blended(surface)
+            && scene.lights.iter().all(is_grey)
             && has_no_highlight_of_its_own(surface)
             && !scene.actors.iter().any(|actor| tinted(&actor))
             && surface
@@ -62,6 +63,11 @@ impl Way {
                 || brightest(scene, material) <= FULL);
         if on_a_line { Self::Level } else { Self::Colour }
     }
+}
+
+/// Whether a material's colours are mixed with what is behind it.
+pub(crate) fn blended(material: &Material) -> bool {
+    material.opacity < 1.0 && material.transparency == Transparency::Blend
 }
 
 fn is_grey(light: &Light) -> bool {

@@ -53,6 +53,20 @@ impl Window {
         self.axes[2].dot(place - self.eye)
     }
 
+    /// Where a place is in the picture, 0..1 from its left and from its top; `None` if it
+    /// is not in it.
+    pub(super) fn in_picture(&self, place: DVec3) -> Option<[f64; 2]> {
+        let [x, y, depth] = self.axes.map(|axis| axis.dot(place - self.eye));
+        let reach = if self.perspective { depth } else { 1.0 };
+        let [width, height] = self.half;
+        let at = [
+            (1.0 + x / (width * reach)) / 2.0,
+            (1.0 - y / (height * reach)) / 2.0,
+        ];
+        let inside = depth >= self.near && at.iter().all(|c| (0.0..1.0).contains(c));
+        inside.then_some(at)
+    }
+
     /// Of the whole picture.
     pub(super) fn size(&self) -> f64 {
         4.0 * self.half[0] * self.half[1]

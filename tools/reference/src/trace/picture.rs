@@ -102,6 +102,7 @@ pub fn render_rays_watched(scene: &Scene, options: Options, row_done: &(dyn Fn()
         width,
         height,
         pixels: pixels.iter().map(hit).collect(),
+        layers: vec![Vec::new(); pixels.len()],
         background: pixels.iter().map(|pixel| pixel.colour.into()).collect(),
         // In the colours already.
         fog: None,

@@ -92,7 +92,7 @@ pub enum Transparency {
     ///
     /// Pixel x, y of a viewport (from its top left corner, y down) is drawn if
     /// `(bayer(x, y) + 64 - 16 n) mod 64 < round(64 opacity)`. `n` is the number of
-    /// screen-door materials before this one, modulo 4, so that those of two materials
+    /// materials before this one that are drawn so (`opacity` below 1), modulo 4, so that those of two materials
     /// are not the same pixels. `bayer` is Bayer's matrix of 8 by 8: the bits of `x ^ y`
     /// and `y` from the lowest to the highest, in turn, from the highest of 6 bits down.
     ScreenDoor,

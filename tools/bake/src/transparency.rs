@@ -1,0 +1,73 @@
+//! How materials let what is behind them show through, in the blob's records.
+
+use fixel::scene as core_scene;
+use fixel_scene::{Material, Representation, Scene, Transparency};
+
+use crate::BakeError;
+use crate::palette::blended;
+
+/// Thresholds of the screen-door pattern.
+const THRESHOLDS: usize = 64;
+/// From one screen-door material's thresholds to the next one's: a quarter of them, so
+/// that of two halves a quarter is both.
+const NEXT: usize = 16;
+
+/// Refuses what the renderer cannot do with transparent materials.
+pub(crate) fn possible(scene: &Scene) -> Result<(), BakeError> {
+    let not_yet = |what| Err(BakeError::NotYet { what });
+    let hazy = scene.materials.iter().find(|m| blended(m));
+    if let (Some(_), Some(material)) = (&scene.fog, hazy) {
+        return not_yet(format!(
+            "material `{}`: blended in fog (expected transparency = \"screen_door\")",
+            material.name
+        ));
+    }
+    for actor in &scene.actors {
+        let material = &scene.materials[actor.material];
+        if material.opacity < 1.0 && actor.look.representation != Representation::Surface {
+            return not_yet(format!(
+                "actor `{}`: lines or points of a material of opacity {} (expected opacity = 1)",
+                actor.name, material.opacity
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Of each material.
+pub(crate) fn transparencies(scene: &Scene) -> Vec<core_scene::Transparency> {
+    let mut doors = 0;
+    let mut of = |material: &Material| {
+        if material.opacity >= 1.0 {
+            return core_scene::Transparency::Opaque;
+        }
+        match material.transparency {
+            Transparency::Blend => core_scene::Transparency::Blend {
+                opacity: (material.opacity * 256.0).round() as u16,
+            },
+            Transparency::ScreenDoor => {
+                let first = doors * NEXT % THRESHOLDS;
+                doors += 1;
+                core_scene::Transparency::ScreenDoor {
+                    first: first as u8,
+                    pixels: (material.opacity * THRESHOLDS as f64).round() as u8,
+                }
+            }
+        }
+    };
+    scene.materials.iter().map(&mut of).collect()
+}
+
+/// The way back: a material's opacity, and how it shows what is behind it.
+pub(crate) fn unbake(how: core_scene::Transparency) -> (f64, Transparency) {
+    match how {
+        core_scene::Transparency::Opaque => (1.0, Transparency::Blend),
+        core_scene::Transparency::Blend { opacity } => {
+            (f64::from(opacity) / 256.0, Transparency::Blend)
+        }
+        core_scene::Transparency::ScreenDoor { pixels, .. } => (
+            f64::from(pixels) / THRESHOLDS as f64,
+            Transparency::ScreenDoor,
+        ),
+    }
+}
