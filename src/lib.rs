@@ -43,6 +43,8 @@ pub mod line;
 pub mod math;
 pub mod palette;
 pub mod raster;
+#[cfg(feature = "ray")]
+pub mod ray;
 pub mod render;
 pub mod scene;
 pub mod shade;

@@ -8,10 +8,12 @@
 mod model;
 mod normal;
 mod patch;
+mod world;
 
 pub use model::{Lit, Parts, SurfaceLights, sum};
 pub use normal::{face_normal, vertex_normal};
 pub use patch::Patch;
+pub use world::{WorldLight, WorldLights, WorldSums};
 
 /// A normal or a direction in an actor's grid; 14 fractional bits.
 pub use crate::math::ShortUnit;

@@ -58,14 +58,14 @@ enum Seen {
 
 /// One light.
 #[derive(Clone, Copy, Debug)]
-struct Source {
-    kind: LightKind,
+pub(super) struct Source {
+    pub(super) kind: LightKind,
     /// To a directional light, or against a spot's axis.
-    towards: ShortUnit,
+    pub(super) towards: ShortUnit,
     /// In units of the patch, from its base.
-    place: [i32; 3],
+    pub(super) place: [i32; 3],
     /// Colour times intensity, 12 fractional bits.
-    colour: [u32; 3],
+    pub(super) colour: [u32; 3],
     /// By distance in units of the patch.
     attenuation: [Scaled; 3],
     cone: i32,
@@ -73,7 +73,7 @@ struct Source {
 }
 
 impl Source {
-    const NONE: Self = Self {
+    pub(super) const NONE: Self = Self {
         kind: LightKind::Directional,
         towards: [0; 3],
         place: [0; 3],
@@ -87,11 +87,17 @@ impl Source {
         let place = view.model.place(Vec3::from_bits(light.position));
         let step = view.model.step();
         let unit = Scaled::new(step.mantissa(), step.exponent() + patch.shift as i32);
+        let towards = shorten(view.model.direction(light.towards));
+        Self::at(light, towards, in_patch(place, patch), unit)
+    }
+
+    /// A light whose place is in units of so many world units.
+    pub(super) fn at(light: &Light, towards: ShortUnit, place: [i32; 3], unit: Scaled) -> Self {
         let [constant, linear, quadratic] = light.attenuation;
         Self {
             kind: light.kind,
-            towards: shorten(view.model.direction(light.towards)),
-            place: in_patch(place, patch),
+            towards,
+            place,
             colour: light.colour.map(|c| c >> 4),
             attenuation: [
                 constant,
@@ -106,11 +112,18 @@ impl Source {
 
     /// The direction to the light at a place, and the factor of its light there, 14
     /// fractional bits; `None` where none gets to.
+    #[inline(always)]
     fn reaches(&self, place: [i32; 3]) -> Option<(ShortUnit, u32)> {
+        self.reaches_from(self.place, place)
+    }
+
+    /// The same for a light that shines from elsewhere.
+    #[inline(always)]
+    pub(super) fn reaches_from(&self, from: [i32; 3], place: [i32; 3]) -> Option<(ShortUnit, u32)> {
         if self.kind == LightKind::Directional {
             return Some((self.towards, 1 << ONE_BITS));
         }
-        let ([ax, ay, az], [bx, by, bz]) = (self.place, place);
+        let ([ax, ay, az], [bx, by, bz]) = (from, place);
         let (towards, distance) = direction([ax - bx, ay - by, az - bz])?;
         let [constant, linear, quadratic] = self.attenuation;
         let sum = linear.plus(quadratic.times(distance)).times(distance);
@@ -129,8 +142,72 @@ impl Source {
     }
 }
 
+/// What several lights give.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sums {
+    diffuse: [u32; 3],
+    specular: [u32; 3],
+}
+
+impl Sums {
+    /// Adds a light that comes from `towards` by a factor; with an `eye`, its highlight.
+    #[inline(always)]
+    pub(super) fn add(
+        &mut self,
+        source: &Source,
+        normal: ShortUnit,
+        (towards, factor): (ShortUnit, u32),
+        eye: Option<ShortUnit>,
+        sharpness: u16,
+    ) {
+        let cosine = short_dot(normal, towards);
+        if cosine <= 0 {
+            return;
+        }
+        let weight = scale(factor, cosine.unsigned_abs() >> ONE_BITS);
+        for (sum, colour) in self.diffuse.iter_mut().zip(source.colour) {
+            *sum += scale(colour << 2, weight);
+        }
+        if let Some(eye) = eye {
+            // R.v = 2 (N.l) (N.v) - l.v
+            let facing = short_dot(normal, eye) >> ONE_BITS;
+            let mirrored = 2 * (cosine >> ONE_BITS) * facing - short_dot(towards, eye);
+            let weight = scale(factor, power(mirrored.max(0).unsigned_abs(), sharpness));
+            for (sum, colour) in self.specular.iter_mut().zip(source.colour) {
+                *sum += scale(colour << 2, weight);
+            }
+        }
+    }
+
+    /// What a material gives back of it.
+    #[inline(always)]
+    pub(super) fn parts(&self, channels: &Channels, shiny: bool, tint: Option<[u8; 3]>) -> Parts {
+        let Channels {
+            constant,
+            diffuse: kd,
+            specular: ks,
+        } = *channels;
+        let (mut body, mut gloss) = ([0; 3], [0; 3]);
+        for (which, (body, gloss)) in body.iter_mut().zip(&mut gloss).enumerate() {
+            let of = |all: [u16; 3]| u32::from(all.get(which).copied().unwrap_or(0));
+            let sum = |all: [u32; 3]| all.get(which).copied().unwrap_or(0).min(MOST);
+            let mut level = of(constant) + part(of(kd), sum(self.diffuse));
+            if let Some(tint) = tint {
+                let tint = u32::from(tint.get(which).copied().unwrap_or(255));
+                // 255 is 1.
+                level = (level.min(FULL << 6) * (tint + (tint >> 7)) + (1 << 7)) >> 8;
+            }
+            *body = level.min(FULL) as u16;
+            if shiny {
+                *gloss = part(of(ks), sum(self.specular)).min(FULL) as u16;
+            }
+        }
+        Parts { body, gloss }
+    }
+}
+
 /// To 14 fractional bits.
-fn shorten(v: [i32; 3]) -> ShortUnit {
+pub(super) fn shorten(v: [i32; 3]) -> ShortUnit {
     v.map(|c| (c + (1 << 15)) >> 16)
 }
 
@@ -192,51 +269,15 @@ impl SurfaceLights {
     /// The same, highlights by themselves: a texture leaves them as they are.
     #[inline(never)]
     pub fn parts(&self, normal: ShortUnit, place: [i32; 3], tint: Option<[u8; 3]>) -> Parts {
-        let (mut diffuse, mut specular) = ([0u32; 3], [0u32; 3]);
+        let mut sums = Sums::default();
         for source in self.sources.iter().take(self.count) {
             let Some((towards, factor)) = source.reaches(place) else {
                 continue;
             };
-            let cosine = short_dot(normal, towards);
-            if cosine <= 0 {
-                continue;
-            }
-            let weight = scale(factor, cosine.unsigned_abs() >> ONE_BITS);
-            for (sum, colour) in diffuse.iter_mut().zip(source.colour) {
-                *sum += scale(colour << 2, weight);
-            }
-            if self.shiny {
-                let eye = self.towards_eye(place);
-                // R.v = 2 (N.l) (N.v) - l.v
-                let facing = short_dot(normal, eye) >> ONE_BITS;
-                let mirrored = 2 * (cosine >> ONE_BITS) * facing - short_dot(towards, eye);
-                let weight = scale(factor, power(mirrored.max(0).unsigned_abs(), self.power));
-                for (sum, colour) in specular.iter_mut().zip(source.colour) {
-                    *sum += scale(colour << 2, weight);
-                }
-            }
+            let eye = self.shiny.then(|| self.towards_eye(place));
+            sums.add(source, normal, (towards, factor), eye, self.power);
         }
-        let Channels {
-            constant,
-            diffuse: kd,
-            specular: ks,
-        } = self.channels;
-        let (mut body, mut gloss) = ([0; 3], [0; 3]);
-        for (which, (body, gloss)) in body.iter_mut().zip(&mut gloss).enumerate() {
-            let of = |all: [u16; 3]| u32::from(all.get(which).copied().unwrap_or(0));
-            let sum = |all: [u32; 3]| all.get(which).copied().unwrap_or(0).min(MOST);
-            let mut level = of(constant) + part(of(kd), sum(diffuse));
-            if let Some(tint) = tint {
-                let tint = u32::from(tint.get(which).copied().unwrap_or(255));
-                // 255 is 1.
-                level = (level.min(FULL << 6) * (tint + (tint >> 7)) + (1 << 7)) >> 8;
-            }
-            *body = level.min(FULL) as u16;
-            if self.shiny {
-                *gloss = part(of(ks), sum(specular)).min(FULL) as u16;
-            }
-        }
-        Parts { body, gloss }
+        sums.parts(&self.channels, self.shiny, tint)
     }
 
     fn towards_eye(&self, place: [i32; 3]) -> ShortUnit {

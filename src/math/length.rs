@@ -1,7 +1,7 @@
 //! Lengths and directions in 32 bits.
 
 use super::wide::mul_high_u;
-use super::{Scaled, mul_high, reciprocal};
+use super::{Scaled, mul_high, mul_q30, reciprocal, square};
 
 /// `2^15 / sqrt(x)` for x in the middle of each 64th of 1..4.
 const SEEDS: [u16; 192] = seeds();
@@ -38,6 +38,53 @@ pub fn reciprocal_root(value: u32) -> (u32, u32) {
     let factor = ((3u32 << 28) + (1 << 12)).wrapping_sub(product) >> 13; // Q15 of 3 - x y y, about 2
     let root = (seed * factor) >> 1; // Q30 of twice the root, halved twice
     (root.clamp(1 << 29, 1 << 30), 45 - up / 2)
+}
+
+/// `1 / sqrt(x)` for x in 1..4 (30 fractional bits), 30 fractional bits; relative error
+/// below 2^-27: one more Newton-Raphson step.
+#[inline(always)]
+fn fine_reciprocal_root(x: u32) -> u32 {
+    let (root, _) = reciprocal_root(x);
+    let squared = mul_high_u(root << 1, root << 1); // Q30
+    let product = mul_high_u(x, squared << 1); // Q29, about 1
+    let error = (1i32 << 29).wrapping_sub(product as i32);
+    root.wrapping_add_signed(((root >> 15) as i32).wrapping_mul(error) >> 15)
+}
+
+/// The direction of a vector in Q30, and one over its length; `None` for length 0.
+/// Components are off by 2^-28 at most.
+#[inline(never)]
+pub fn unit(v: [i32; 3]) -> Option<(super::Unit3, Scaled)> {
+    let bits = v.iter().fold(0, |m, c| m | c.unsigned_abs());
+    if bits == 0 {
+        return None;
+    }
+    // To 30 bits.
+    let up = bits.leading_zeros() as i32 - 2;
+    let v = v.map(|c| if up >= 0 { c << up } else { c >> -up });
+    let squared: u64 = v.map(square).iter().sum();
+    // 2^58 and above, below 2^62.
+    let lead = squared.leading_zeros() & !1;
+    let y = fine_reciprocal_root((squared << lead >> 32) as u32);
+    let unit = if lead <= 2 {
+        v.map(|c| mul_q30(c, y as i32))
+    } else {
+        v.map(|c| mul_q30(c << 1, y as i32))
+    };
+    Some((unit, Scaled::new(y, up - 30 - (62 - lead as i32) / 2)))
+}
+
+/// The square root of a number below 2^62, rounded down; relative error below 2^-26.
+#[inline(never)]
+pub fn root(square: u64) -> u32 {
+    if square == 0 {
+        return 0;
+    }
+    let lead = square.leading_zeros() & !1;
+    let x = (square << lead >> 32) as u32;
+    let root = mul_high_u(x, fine_reciprocal_root(x)); // Q28
+    let up = (62 - lead as i32) / 2 - 28;
+    if up >= 0 { root << up } else { root >> -up }
 }
 
 /// A direction of length 1, 14 fractional bits: -2^14..=2^14 each.

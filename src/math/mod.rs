@@ -20,7 +20,7 @@ pub use angle::Angle;
 pub use formats::{
     Depth, Factor, FineDepth, FineLevel, HALF_PX, Level, MAX_SCREEN, SUBPX_BITS, SubPx, World,
 };
-pub use length::{ShortUnit, direction, reciprocal_root, scaled_reciprocal, short_dot};
+pub use length::{ShortUnit, direction, reciprocal_root, root, scaled_reciprocal, short_dot, unit};
 pub(crate) use octahedral::decode_octahedral;
 #[cfg(test)]
 use octahedral::normal_length_recip;
@@ -33,7 +33,8 @@ pub use scaled::Scaled;
 pub(crate) use transform::view_rotation;
 pub use transform::{Clip, Model, Space, Transform, View, World as WorldSpace};
 pub use vector::{Unit3, Vec3, cross, dot, normalise};
-pub use wide::mul_high;
+pub(crate) use wide::mul_high_u;
+pub use wide::{mul_high, mul_q30, square};
 
 #[cfg(test)]
 mod tests;

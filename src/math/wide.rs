@@ -12,9 +12,31 @@ pub fn mul_high(a: i32, b: i32) -> i32 {
     }
 }
 
+/// `a * b / 2^30`, rounded down, modulo 2^32.
+#[inline(always)]
+pub fn mul_q30(a: i32, b: i32) -> i32 {
+    if cfg!(narrow_multiply) {
+        let low = a.wrapping_mul(b) as u32;
+        mul_high_by_halves(a, b).wrapping_shl(2) | (low >> 30) as i32
+    } else {
+        ((i64::from(a) * i64::from(b)) >> 30) as i32
+    }
+}
+
+/// The square in 64 bits.
+#[inline(always)]
+pub fn square(v: i32) -> u64 {
+    let v = v.unsigned_abs();
+    if cfg!(narrow_multiply) {
+        u64::from(mul_high_u_by_halves(v, v)) << 32 | u64::from(v.wrapping_mul(v))
+    } else {
+        u64::from(v) * u64::from(v)
+    }
+}
+
 /// High 32 bits of the unsigned 64-bit product.
 #[inline(always)]
-pub(super) fn mul_high_u(a: u32, b: u32) -> u32 {
+pub(crate) fn mul_high_u(a: u32, b: u32) -> u32 {
     if cfg!(narrow_multiply) {
         mul_high_u_by_halves(a, b)
     } else {

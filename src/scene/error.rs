@@ -36,6 +36,11 @@ pub enum Section {
     Texels,
     Bases,
     TextureShades,
+    RaySettings,
+    Shapes,
+    Nodes,
+    Optics,
+    LightAreas,
 }
 
 impl Section {
@@ -71,6 +76,11 @@ impl Section {
         Self::Texels,
         Self::Bases,
         Self::TextureShades,
+        Self::RaySettings,
+        Self::Shapes,
+        Self::Nodes,
+        Self::Optics,
+        Self::LightAreas,
     ];
 }
 
@@ -133,6 +143,11 @@ pub enum Field {
     Size,
     Texel,
     Opacity,
+    Depth,
+    FirstNode,
+    Meshlet,
+    Part,
+    Index,
 }
 
 /// Why a blob was refused. Nothing of a refused blob is used.

@@ -14,7 +14,9 @@ mod moves;
 mod output;
 mod parse;
 mod parse_light;
+mod parse_ray;
 mod pose;
+mod ray;
 mod records;
 mod texture;
 mod track;
@@ -30,6 +32,7 @@ pub use material::{Channels, Cull, Dither, DitherPattern, Material, Shading, Tra
 pub use output::{Output, Stereo};
 pub use parse::Scene;
 pub use pose::{Camera, Place, Placement, Pose, Projection};
+pub use ray::{Child, Leaf, LightArea, Node, Optics, RaySettings, Shape};
 pub use records::{Actor, ColourFormat, Coordinates, Mesh, Meshlet, Record, checksum};
 pub use texture::{NO_TEXEL, Texture, Wrap};
 pub use track::{Key, Quantity, Track};
@@ -44,7 +47,7 @@ pub mod layout {
     /// Words of the header, before the section table.
     pub const HEADER_WORDS: usize = 27;
     /// Sections; each has two words in the table: byte offset and count.
-    pub const SECTIONS: usize = 30;
+    pub const SECTIONS: usize = 35;
     /// Bytes before the first section.
     pub const PREFIX_BYTES: usize = 4 * (HEADER_WORDS + 2 * SECTIONS);
     /// Where the checksum starts: after magic, version, length, checksum.
@@ -85,6 +88,8 @@ pub mod layout {
     pub const PARENTS: usize = 16;
     /// The target of a track that moves the camera.
     pub const CAMERA: u16 = u16::MAX;
+    /// Boxes that a ray on its way through a hierarchy leaves for later, at most.
+    pub const RAY_STACK: usize = 48;
     /// Largest shift of a meshlet's vertices: 16 bits and this span the grid.
     pub const MOST_SHIFT: u8 = 7;
 }

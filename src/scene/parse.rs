@@ -5,8 +5,9 @@ use bytemuck::{AnyBitPattern, try_cast_slice};
 
 use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
 use super::{
-    Actor, ColourFormat, DitherPattern, Field, Fog, Header, Key, Light, Look, Material, Mesh,
-    Meshlet, Output, Record, SceneError, Section, Texture, Track, Viewport, checksum,
+    Actor, ColourFormat, DitherPattern, Field, Fog, Header, Key, Light, LightArea, Look, Material,
+    Mesh, Meshlet, Node, Optics, Output, RaySettings, Record, SceneError, Section, Shape, Texture,
+    Track, Viewport, checksum,
 };
 
 /// A checked scene, read in place from flash.
@@ -43,6 +44,11 @@ pub struct Scene<'a> {
     pub(crate) texels: &'a [u8],
     pub(crate) bases: &'a [[u8; 3]],
     pub(crate) texture_shades: &'a [[u8; layout::TEXTURE_SHADES]],
+    pub(crate) ray_settings: &'a [<RaySettings as Record>::Words],
+    pub(crate) shapes: &'a [<Shape as Record>::Words],
+    pub(crate) nodes: &'a [<Node as Record>::Words],
+    pub(crate) optics: &'a [<Optics as Record>::Words],
+    pub(crate) light_areas: &'a [<LightArea as Record>::Words],
 }
 
 impl<'a> Scene<'a> {
@@ -117,6 +123,11 @@ impl<'a> Scene<'a> {
             texels: section(bytes, &mut table)?,
             bases: section(bytes, &mut table)?,
             texture_shades: section(bytes, &mut table)?,
+            ray_settings: section(bytes, &mut table)?,
+            shapes: section(bytes, &mut table)?,
+            nodes: section(bytes, &mut table)?,
+            optics: section(bytes, &mut table)?,
+            light_areas: section(bytes, &mut table)?,
         };
         scene.check_colours()?;
         scene.check_lights()?;
@@ -129,6 +140,7 @@ impl<'a> Scene<'a> {
         scene.check_tracks()?;
         scene.check_fog()?;
         scene.check_output()?;
+        scene.check_rays()?;
         Ok(scene)
     }
 

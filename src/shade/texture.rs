@@ -97,6 +97,29 @@ impl<'a> Sampler<'a> {
         }
     }
 
+    /// The path and the place in it of one point, whose texture coordinates are
+    /// attributes with 8 fractional bits: in the largest copy.
+    pub fn point(&self, coordinates: [i32; 2]) -> (Path<'a>, [i32; 2]) {
+        let mut from = [0; 2];
+        for (which, (from, c)) in from.iter_mut().zip(coordinates).enumerate() {
+            let shift = self.shifts.get(which).copied().unwrap_or(0);
+            let origin = self.origin.get(which).copied().unwrap_or(0);
+            let place = wide(c, shift + RUN_FRACTION as i32 - 8) + origin;
+            *from = match self.texture.wrap {
+                Wrap::Clamp => place.clamp(-(1 << 30), 1 << 30) as i32,
+                Wrap::Repeat | Wrap::Mirror => place as i32,
+            };
+        }
+        let path = Path {
+            texels: self.texels,
+            size: self.texture.copy_size(0),
+            from,
+            step: [0; 2],
+            down: [0; 2],
+        };
+        (path, from)
+    }
+
     fn each(&self, values: [i32; 2], f: impl Fn(i32, i32) -> i32) -> [i32; 2] {
         let mut out = [0; 2];
         for (out, (c, shift)) in out.iter_mut().zip(values.into_iter().zip(self.shifts)) {

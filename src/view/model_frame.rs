@@ -25,7 +25,8 @@ impl ModelFrame {
         per_bit: Scaled::ZERO,
     };
 
-    pub(super) fn new(actor: &Actor, place: &Place) -> Self {
+    /// Of an actor at `place`.
+    pub fn new(actor: &Actor, place: &Place) -> Self {
         if !cfg!(feature = "light") {
             return Self::ZERO;
         }
@@ -38,6 +39,21 @@ impl ModelFrame {
             step,
             per_bit: scaled_reciprocal(step),
         }
+    }
+
+    /// Directions of the world to directions of the model.
+    pub fn to_model(&self) -> &Rotation {
+        &self.to_model
+    }
+
+    /// The grid's centre in the world.
+    pub fn centre(&self) -> Vec3 {
+        self.centre
+    }
+
+    /// Raw world bits a grid step, and grid steps a raw world bit.
+    pub fn scales(&self) -> (Scaled, Scaled) {
+        (self.step, self.per_bit)
     }
 
     /// World units (not raw bits) a grid step.

@@ -132,13 +132,25 @@ fn lines() -> Baked {
 #[test]
 fn every_changed_byte_is_refused_or_drawn_safely() {
     for baked in [small(), moving(), lines()] {
-        change_every_byte(&baked);
+        change_every_byte(&baked, layout::CHECKED_FROM, render);
     }
+    // A triangle mesh, a ball, an ellipsoid, a mirror, glass.
+    let scene = fixel_scene::load(&fixel_tests::root().join("tests/data/rays.toml"));
+    let baked = fixel_bake::bake_for_rays(&scene.expect("a scene")).expect("baked");
+    // What only rays read comes last.
+    let table = 4 * (layout::HEADER_WORDS + 2 * Section::RaySettings as usize);
+    let word = &baked.bytes()[table..table + 4];
+    let from = u32::from_le_bytes([word[0], word[1], word[2], word[3]]) as usize;
+    change_every_byte(&baked, from, fixel_host::render_rays);
 }
 
-fn change_every_byte(baked: &Baked) {
+fn change_every_byte(
+    baked: &Baked,
+    from: usize,
+    render: fn(&fixel::Scene<'_>, &Options) -> fixel_host::Planes,
+) {
     let (mut drawn, mut refused) = (0, 0);
-    for at in layout::CHECKED_FROM..baked.bytes().len() {
+    for at in from..baked.bytes().len() {
         for flip in [0x01, 0x80, 0xff] {
             let words = with_change(baked, |bytes| bytes[at] ^= flip);
             let bytes: Vec<u8> = words.iter().flat_map(|w| w.to_le_bytes()).collect();

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 /// What each module may import. `render` is the one place that knows all.
-const ALLOWED: [(&str, &[&str]); 14] = [
+const ALLOWED: [(&str, &[&str]); 15] = [
     ("math", &[]),
     ("frame", &["math"]),
     ("scene", &["math"]),
@@ -20,6 +20,12 @@ const ALLOWED: [(&str, &[&str]); 14] = [
     ("shade", &["light", "math", "raster", "scene"]),
     ("palette", &["frame"]),
     ("display", &["frame", "palette", "scene"]),
+    (
+        "ray",
+        &[
+            "display", "fog", "frame", "light", "math", "palette", "scene", "shade", "view",
+        ],
+    ),
 ];
 
 /// Modules that a source text names by `crate::`, tests and docs aside.

@@ -18,6 +18,8 @@ pub struct Memory {
     depth: [u16; PIXELS],
     row: [u16; WIDTH],
     scratch: Scratch,
+    #[cfg(feature = "ray")]
+    rays: engine::RayScratch,
     colours: Rgb565Table,
 }
 
@@ -30,6 +32,8 @@ impl Memory {
             depth: [0; PIXELS],
             row: [0; WIDTH],
             scratch: Scratch::new(),
+            #[cfg(feature = "ray")]
+            rays: engine::RayScratch::new(),
             colours: Rgb565Table::new(),
         }
     }
@@ -52,6 +56,8 @@ pub fn draw(
         index: &mut memory.index,
         depth: &mut memory.depth,
         work: memory.scratch.workspace(),
+        #[cfg(feature = "ray")]
+        rays: memory.rays.workspace(),
         colours: &mut memory.colours,
     };
     engine::render(&scene, frame, BAND_ROWS, buffers, |band, colours| {

@@ -41,6 +41,12 @@ pub const ACTORS: usize = 4;
 /// The renderer's working memory of that size.
 pub type Scratch = fixel::Scratch<MESHLETS, SLOTS, ACTORS>;
 
+/// Actors whose places the ray caster keeps.
+pub const RAY_ACTORS: usize = 16;
+/// The ray caster's working memory of that size.
+#[cfg(feature = "ray")]
+pub type RayScratch = fixel::ray::RayScratch<RAY_ACTORS>;
+
 /// Where bands are drawn.
 #[derive(Debug)]
 pub struct Buffers<'a> {
@@ -50,6 +56,9 @@ pub struct Buffers<'a> {
     pub depth: &'a mut [u16],
     /// The renderer's working memory.
     pub work: Workspace<'a>,
+    /// The ray caster's, for blobs that are baked for it.
+    #[cfg(feature = "ray")]
+    pub rays: fixel::ray::RayWorkspace<'a>,
     /// From an index to a panel's colour.
     pub colours: &'a mut Rgb565Table,
 }
@@ -100,6 +109,12 @@ pub fn render(
         take,
     };
     let pose = scene.pose(frame);
+    #[cfg(feature = "ray")]
+    if scene.has_rays() {
+        let rays = &mut buffers.rays;
+        let Ok(_) = fixel::ray::render_frame(scene, &pose, rays, &mut band, &mut sink);
+        return Ok(());
+    }
     let Ok(_) = fixel::render_frame(scene, &pose, &mut buffers.work, &mut band, &mut sink);
     Ok(())
 }

@@ -57,6 +57,8 @@ pub struct Memory<
     sums: [u32; WIDTH],
     row: [u16; WIDTH],
     scratch: Scratch<MESHLETS, SLOTS, ACTORS>,
+    #[cfg(feature = "ray")]
+    rays: engine::RayScratch,
     colours: Rgb565Table,
 }
 
@@ -73,6 +75,8 @@ impl<const PIXELS: usize, const MESHLETS: usize, const SLOTS: usize, const ACTOR
             sums: [0; WIDTH],
             row: [0; WIDTH],
             scratch: Scratch::new(),
+            #[cfg(feature = "ray")]
+            rays: engine::RayScratch::new(),
             colours: Rgb565Table::new(),
         }
     }
@@ -209,6 +213,8 @@ pub fn measure<
             index: &mut memory.index,
             depth: &mut memory.depth,
             work: memory.scratch.workspace(),
+            #[cfg(feature = "ray")]
+            rays: memory.rays.workspace(),
             colours: &mut memory.colours,
         };
         watch.start(platform);

@@ -1,7 +1,7 @@
 //! The blob: all parts together.
 
 use fixel::scene::layout::{CHECKED_FROM, HEADER_WORDS, LIGHTS, PREFIX_BYTES, SECTIONS};
-use fixel::scene::{Header, Record, SceneError, checksum};
+use fixel::scene::{Header, Optics, Record, SceneError, checksum};
 use fixel_scene::{Actor, Scene, Space};
 
 use crate::BakeError;
@@ -12,6 +12,7 @@ use crate::look::looks;
 use crate::mesh::{Parts, Source, Sources};
 use crate::palette::tables;
 use crate::placement::placed;
+use crate::ray::{Rays, mixes, rays};
 use crate::records::{Instances, actors, header};
 use crate::texture::textures;
 use crate::texturing::{Texturing, padded};
@@ -78,12 +79,24 @@ impl Baked {
     }
 }
 
-/// Bakes a scene.
+/// Bakes a scene for the rasteriser.
 ///
 /// # Errors
 /// If the scene has more of something than the format holds, a number out of
 /// its range, or asks for what the renderer cannot do yet.
 pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
+    bake_with(scene, false)
+}
+
+/// Bakes a scene for the ray caster and the rasteriser.
+///
+/// # Errors
+/// As [`bake`].
+pub fn bake_for_rays(scene: &Scene) -> Result<Baked, BakeError> {
+    bake_with(scene, true)
+}
+
+fn bake_with(scene: &Scene, for_rays: bool) -> Result<Baked, BakeError> {
     at_most("actors", scene.actors.len(), 65535)?;
     at_most("materials", scene.materials.len(), 65535)?;
     at_most("lights with a direction", scene.lights.len(), LIGHTS)?;
@@ -91,7 +104,7 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
     let units = Units::new(scene);
     let textures = textures(scene);
     let texturing = Texturing::new(&textures.textures)?;
-    let tables = tables(scene, &textures.bases);
+    let tables = tables(scene, &textures.bases, for_rays && mixes(scene));
     let bases = textures.bases.len();
     let shades = tables.texture_shades.iter();
     let texture_shades: Vec<Vec<u8>> = shades.map(|table| padded(table, bases)).collect();
@@ -127,19 +140,28 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
         .map(|(((m, path), texture), how)| material(scene, *path, *texture, how, m));
     let mut materials = materials.collect::<Vec<_>>();
     let looks = looks(scene, &mut materials)?;
-    let instances = Instances {
+    let all = Instances {
         instances: &instances,
         uses: &uses,
         grids: &parts.grids,
         materials: &looks.materials,
     };
-    let actors = actors(scene, &units, &placed, &instances)?;
+    let actors = actors(scene, &units, &placed, &all)?;
     if parts.edges.is_empty() {
         parts.meshlet_edges.clear();
     }
 
     let (tracks, keys) = tracks(scene, &units, &placed)?;
     let fogs: Vec<_> = scene.fog.iter().map(|f| fog::fog(f, &units)).collect();
+
+    let rays = if for_rays {
+        let mut rays = rays(scene, &units, &instances, &mut parts)?;
+        // Those of lines and points.
+        rays.optics.resize(materials.len(), Optics::PLAIN);
+        rays
+    } else {
+        Rays::default()
+    };
 
     let output = Vec::from_iter(output(scene));
     let words = |records: &[u8]| records.to_vec();
@@ -183,6 +205,11 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
         flat_bytes(&texturing.texels),
         (words(textures.bases.as_flattened()), textures.bases.len()),
         (texture_shades.concat(), texture_shades.len()),
+        records(&rays.settings),
+        records(&rays.shapes),
+        records(&rays.nodes),
+        records(&rays.optics),
+        records(&rays.areas),
     ];
     let cycle = scene.animation.palette_cycle;
     if let Some(cycle) = cycle.filter(|c| c.last as usize >= tables.palette.len()) {

@@ -19,6 +19,7 @@ mod normal;
 mod oklab;
 mod palette;
 mod placement;
+mod ray;
 mod records;
 mod snap;
 mod texture;
@@ -29,7 +30,7 @@ mod unbake;
 mod units;
 mod viewport;
 
-pub use blob::{Baked, bake};
+pub use blob::{Baked, bake, bake_for_rays};
 pub use error::BakeError;
 pub use mesh::{Source, Sources};
 pub use unbake::unbake;

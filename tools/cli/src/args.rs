@@ -106,6 +106,9 @@ pub struct Bake {
     /// Colours of the palette, 2 to 256 [default: as the scene says].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=256))]
     pub colours: Option<u32>,
+    /// With what the ray caster needs: a hierarchy of boxes over each mesh, and more.
+    #[arg(long)]
+    pub ray: bool,
 }
 
 #[derive(Debug, Args)]
@@ -155,7 +158,7 @@ pub enum Renderer {
     /// The fixed-point rasteriser, as on a microcontroller.
     #[default]
     Raster,
-    /// (not there yet) The fixed-point ray caster.
+    /// The fixed-point ray caster.
     Ray,
     /// The f64 reference for the rasteriser.
     Reference,
@@ -168,7 +171,7 @@ pub enum Tested {
     /// The fixed-point rasteriser, as on a microcontroller.
     #[default]
     Raster,
-    /// (not there yet) The fixed-point ray caster.
+    /// The fixed-point ray caster.
     Ray,
 }
 

@@ -23,6 +23,7 @@ pub fn run(args: &args::Bake) -> Result<()> {
     }
     let options = baked::Options {
         max_triangles: args.max_triangles,
+        ray: args.ray,
     };
     let bytes = baked::bake(input, options).with_context(|| args.scene.display().to_string())?;
     output::write(&args.output, &bytes)?;

@@ -11,6 +11,8 @@ use crate::input::Input;
 pub struct Options {
     /// Simplify each mesh to at most this many triangles.
     pub max_triangles: Option<u32>,
+    /// With what the ray caster needs.
+    pub ray: bool,
 }
 
 /// The bytes of a `.fxl` file.
@@ -29,7 +31,12 @@ pub fn bake(input: Input, options: Options) -> Result<Vec<u8>> {
             );
         }
     }
-    Ok(input.bake()?.bytes().to_vec())
+    let baked = if options.ray {
+        input.bake_for_rays()?
+    } else {
+        input.bake()?
+    };
+    Ok(baked.bytes().to_vec())
 }
 
 /// Checks a `.fxl` file's bytes and says what is in it, in the order to print.

@@ -2,7 +2,7 @@
 
 use crate::args::{Destination, Tested};
 use crate::{args, html, input, output, raster, reference};
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use fixel_reference::Report;
 use serde::Serialize;
 
@@ -23,11 +23,12 @@ struct Comparison<'a> {
 pub fn run(args: &args::Compare) -> Result<()> {
     let renderer = match args.renderer {
         Tested::Raster => "raster",
-        Tested::Ray => bail!("the ray renderer is not there yet"),
+        Tested::Ray => "ray",
     };
     let input = input::load(&args.scene)?;
     let at = input::options(&input.scene, &args.frame);
     let options = raster::Options {
+        rays: args.renderer == Tested::Ray,
         width: at.width,
         height: at.height,
         frame: at.frame,
@@ -35,7 +36,10 @@ pub fn run(args: &args::Compare) -> Result<()> {
     };
     let name = || args.scene.display().to_string();
     let scene = input.scene.clone();
-    let truth = reference::render(&scene, at);
+    let truth = match args.renderer {
+        Tested::Raster => reference::render(&scene, at),
+        Tested::Ray => reference::render_rays(&scene, at),
+    };
     let rendered = raster::render(input, options).with_context(name)?;
     let report = fixel_reference::compare(&truth, &rendered.frame).with_context(name)?;
     let true_picture = reference::picture(&scene, at, &truth);

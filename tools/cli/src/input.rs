@@ -23,6 +23,17 @@ impl Input {
             None => Ok(fixel_bake::bake(&self.scene)?),
         }
     }
+
+    /// The same, with what the ray caster needs.
+    pub fn bake_for_rays(self) -> Result<Baked> {
+        match self.baked {
+            Some(baked) if !baked.scene()?.has_rays() => {
+                bail!("it is not baked for rays; bake it with --ray")
+            }
+            Some(baked) => Ok(baked),
+            None => Ok(fixel_bake::bake_for_rays(&self.scene)?),
+        }
+    }
 }
 
 /// Loads a scene, a mesh or a baked scene; what the loader has to say goes to

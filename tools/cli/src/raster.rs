@@ -1,5 +1,5 @@
-//! The fixed-point rasteriser: bakes the scene in memory if need be, renders it
-//! with the core, and hands back what the core drew as plain arrays.
+//! The core's renderers: bakes the scene in memory if need be, renders it by
+//! triangles or by rays, and hands back what the core drew as plain arrays.
 
 use crate::input::Input;
 use anyhow::{Result, bail};
@@ -15,6 +15,8 @@ pub struct Options {
     pub height: u32,
     /// Frame of the animation.
     pub frame: u32,
+    /// By rays instead of triangles.
+    pub rays: bool,
     /// Rows in a band; `None`: one band as high as the picture.
     pub bands: Option<u32>,
 }
@@ -32,7 +34,11 @@ pub struct Rendered {
 
 /// Renders a scene with the core.
 pub fn render(input: Input, options: Options) -> Result<Rendered> {
-    let baked = input.bake()?;
+    let baked = if options.rays {
+        input.bake_for_rays()?
+    } else {
+        input.bake()?
+    };
     let scene = baked.scene()?;
     let most = 2048;
     let (Ok(width), Ok(height)) = (u16::try_from(options.width), u16::try_from(options.height))
@@ -56,7 +62,12 @@ pub fn render(input: Input, options: Options) -> Result<Rendered> {
     if columns > most || rows > most {
         bail!("{width}x{height} pixels are {columns}x{rows} samples; at most {most}x{most}");
     }
-    let (frame, planes) = fixel_host::frame(&baked, &scene, &core_options);
+    let draw = if options.rays {
+        fixel_host::ray_frame
+    } else {
+        fixel_host::frame
+    };
+    let (frame, planes) = draw(&baked, &scene, &core_options);
     let (picture, _) = fixel_host::picture(&scene, &planes);
     let s = planes.stats;
     let counters = [

@@ -119,8 +119,9 @@ fn draw(args: &args::Render, input: Input, at: fixel_reference::Options) -> Resu
                 stats,
             })
         }
-        Renderer::Raster => {
+        Renderer::Raster | Renderer::Ray => {
             let options = raster::Options {
+                rays: args.renderer == Renderer::Ray,
                 width: at.width,
                 height: at.height,
                 frame: at.frame,
@@ -137,7 +138,6 @@ fn draw(args: &args::Render, input: Input, at: fixel_reference::Options) -> Resu
                 stats: rendered.stats,
             })
         }
-        Renderer::Ray => bail!("the ray renderer is not there yet"),
     }
 }
 

@@ -17,7 +17,6 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
     let there: Vec<bool> = drawn.depth.iter().map(|d| *d != 0).collect();
     let actor = planes::actors(scene, options).into_iter().zip(&there);
     let triangle = planes::triangles(scene, options).into_iter().zip(&there);
-    let palette = colours(scene, options.frame);
     let source = |id: u32| {
         let sources = &baked.sources;
         let (of, number) = if id & Ids::POINT != 0 {
@@ -31,17 +30,6 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
     };
     // What dithers is held against the reference as it is without.
     let index = planes::undithered(scene, options);
-    let coloured = (0..scene.material_count()).any(|m| scene.material(m).coloured);
-    let path = |m| {
-        let material = scene.material(m);
-        if material.coloured {
-            Path::Colour
-        } else if material.texture.is_some() {
-            textured(scene, &material)
-        } else {
-            Path::Level(Box::new(*scene.shade(&material)))
-        }
-    };
     let frame = Frame {
         width: drawn.size.0.into(),
         height: drawn.size.1.into(),
@@ -57,19 +45,35 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
         depth: drawn.depth.clone(),
         texture_place: planes::texture_place(scene, options),
         lit: Vec::new(),
-        lookup: Lookup {
-            paths: (0..scene.material_count()).map(path).collect(),
-            colours: if coloured {
-                scene.colours().to_vec()
-            } else {
-                Vec::new()
-            },
-            fog: scene.fog_table().map_or(Vec::new(), |table| table.to_vec()),
-            background: backgrounds(scene, options, drawn.size),
-            palette,
-        },
+        lookup: lookup(scene, options, drawn.size),
     };
     (frame, drawn)
+}
+
+/// The ways from light to the indices of a frame.
+pub(crate) fn lookup(scene: &Scene<'_>, options: &Options, size: (u16, u16)) -> Lookup {
+    let coloured = (0..scene.material_count()).any(|m| scene.material(m).coloured);
+    let path = |m| {
+        let material = scene.material(m);
+        if material.coloured {
+            Path::Colour
+        } else if material.texture.is_some() {
+            textured(scene, &material)
+        } else {
+            Path::Level(Box::new(*scene.shade(&material)))
+        }
+    };
+    Lookup {
+        paths: (0..scene.material_count()).map(path).collect(),
+        colours: if coloured {
+            scene.colours().to_vec()
+        } else {
+            Vec::new()
+        },
+        fog: scene.fog_table().map_or(Vec::new(), |table| table.to_vec()),
+        background: backgrounds(scene, options, size),
+        palette: colours(scene, options.frame),
+    }
 }
 
 /// The way of a material with a texture that goes by level: the core's tables have

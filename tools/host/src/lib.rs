@@ -9,8 +9,10 @@ mod colour;
 mod compare;
 mod picture;
 mod planes;
+mod rays;
 
 pub use colour::{colours, shown};
 pub use compare::frame;
 pub use picture::picture;
 pub use planes::{Options, Planes, pick, render};
+pub use rays::{ray_frame, render_rays};

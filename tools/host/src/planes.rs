@@ -56,7 +56,7 @@ pub struct Planes {
 /// Meshlets, kept meshlets and actors: the host has the memory.
 type HostScratch = Scratch<4096, 256, 64>;
 
-struct Collector(Planes);
+pub(crate) struct Collector(pub(crate) Planes);
 
 impl Display for Collector {
     type Error = Infallible;

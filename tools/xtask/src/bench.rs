@@ -30,7 +30,7 @@ pub fn run(tally: &mut Tally) -> Result<Value> {
         .filter_map(|target| tally.need(&format!("bench on {}", target.name()), target.prepare()))
         .collect();
     let mut all = Map::new();
-    for name in scene::BENCH {
+    for name in scene::bench() {
         let Some(baked) = tally.need(&format!("bench of {name}"), scene::bake(name)) else {
             continue;
         };
@@ -104,9 +104,8 @@ pub fn markdown(figures: &Value) -> String {
         let count = figures[scene][target][field].as_u64();
         count.map_or("-".into(), |count| format!("{:.2}", count as f64 / 1e6))
     };
-    let rows: Vec<Vec<String>> = scene::BENCH
-        .iter()
-        .map(|&name| {
+    let rows: Vec<Vec<String>> = scene::bench()
+        .map(|name| {
             let peer = peers::find(name);
             let covered = Target::all()
                 .iter()

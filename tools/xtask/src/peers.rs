@@ -17,7 +17,7 @@ pub struct Peer {
 }
 
 /// Every workload that peers were measured on.
-pub const PEERS: [Peer; 6] = [
+pub const PEERS: [Peer; 9] = [
     Peer {
         scene: "w1_teapot_flat",
         what: "teapot, flat",
@@ -59,6 +59,27 @@ pub const PEERS: [Peer; 6] = [
         drawn_px: 1_254,
         cortex_m4f: "1.51 tgx",
         cortex_m0plus: "6.2 small3dlib",
+    },
+    Peer {
+        scene: "r1_bunny_rays",
+        what: "rays: bunny, Lambert",
+        drawn_px: 17_620,
+        cortex_m4f: "92 tinybvh (float)",
+        cortex_m0plus: "2867 tinybvh (soft float)",
+    },
+    Peer {
+        scene: "r2_bunny_shadow",
+        what: "rays: bunny over a ground, shadows",
+        drawn_px: 47_700,
+        cortex_m4f: "195 tinybvh (float)",
+        cortex_m0plus: "6082 tinybvh (soft float)",
+    },
+    Peer {
+        scene: "r3_spheres_whitted",
+        what: "rays: nine spheres over a plane, mirror, glass, shadows",
+        drawn_px: 76_800,
+        cortex_m4f: "71 tinybvh (float)",
+        cortex_m0plus: "4041 tinybvh (soft float)",
     },
 ];
 

@@ -79,8 +79,9 @@ pub(crate) enum Path {
 /// Colours are at most 2 of 255 off for it, and each table is a quarter of the size.
 pub(crate) const TEXTURE_LEVELS: usize = 64;
 
-/// `bases` are the base colours of the scene's textures.
-pub(crate) fn tables(scene: &Scene, bases: &[[u8; 3]]) -> Tables {
+/// `bases` are the base colours of the scene's textures; `mixed` says that colours of
+/// several surfaces are mixed, so that all materials have to go by colour.
+pub(crate) fn tables(scene: &Scene, bases: &[[u8; 3]], mixed: bool) -> Tables {
     let background = background_colours(&scene.display.background);
     let own = |viewport: &Viewport| viewport.background.as_ref().map(background_colours);
     let own: Vec<Vec<Rgb>> = scene
@@ -92,7 +93,13 @@ pub(crate) fn tables(scene: &Scene, bases: &[[u8; 3]]) -> Tables {
     backgrounds.push(background.clone());
     backgrounds.retain(|colours| !colours.is_empty());
     let ways: Vec<Way> = (0..scene.materials.len())
-        .map(|material| Way::of(scene, material))
+        .map(|material| {
+            if mixed {
+                Way::Colour
+            } else {
+                Way::of(scene, material)
+            }
+        })
         .collect();
     let textured = scene.materials.iter().any(|m| m.texture.is_some());
     let samples = if textured || ways.contains(&Way::Colour) || scene.fog.is_some() {

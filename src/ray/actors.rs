@@ -1,0 +1,132 @@
+//! The actors of a frame, as rays meet them, made when first asked for.
+
+use super::actor::{GridPlace, RayActor};
+use super::camera::RayCamera;
+use crate::math::Rect;
+use crate::scene::{Pose, Scene};
+
+/// Room for one actor.
+#[derive(Clone, Copy, Debug)]
+pub struct RaySlot {
+    actor: RayActor,
+    view: View,
+}
+
+/// An actor as a viewport's camera has it.
+#[derive(Clone, Copy, Debug)]
+struct View {
+    /// 1 more than the viewport's number; 0: none.
+    viewport: u16,
+    /// Where it is seen.
+    bounds: Rect,
+    /// The eye in its grid.
+    eye: Option<GridPlace>,
+}
+
+impl View {
+    const NONE: Self = Self {
+        viewport: 0,
+        bounds: Rect::of_size(0, 0),
+        eye: None,
+    };
+}
+
+impl RaySlot {
+    pub(super) const EMPTY: Self = Self {
+        actor: RayActor::EMPTY,
+        view: View::NONE,
+    };
+}
+
+/// The actors of a frame.
+pub(super) struct RayActors<'a> {
+    scene: &'a Scene<'a>,
+    pose: &'a Pose<'a>,
+    slots: &'a mut [RaySlot],
+}
+
+impl<'a> RayActors<'a> {
+    pub(super) fn new(scene: &'a Scene<'a>, pose: &'a Pose<'a>, slots: &'a mut [RaySlot]) -> Self {
+        for slot in &mut *slots {
+            slot.actor.number = u16::MAX;
+        }
+        Self { scene, pose, slots }
+    }
+
+    /// An actor by its number; `None` without any slot.
+    #[inline(always)]
+    pub(super) fn get(&mut self, number: u16) -> Option<&RayActor> {
+        self.slot(number).map(|slot| &slot.actor)
+    }
+
+    #[inline(always)]
+    fn slot(&mut self, number: u16) -> Option<&mut RaySlot> {
+        let which = if usize::from(number) < self.slots.len() {
+            usize::from(number)
+        } else {
+            usize::from(number).checked_rem(self.slots.len())?
+        };
+        let slot = self.slots.get_mut(which)?;
+        if slot.actor.number != number {
+            fill(self.scene, self.pose, number, slot);
+        }
+        Some(slot)
+    }
+
+    /// Where a viewport's camera sees an actor.
+    pub(super) fn bounds(&mut self, number: u16, viewport: u16, camera: &RayCamera) -> Rect {
+        let Some(slot) = self.slot(number) else {
+            return Rect::of_size(0, 0);
+        };
+        if slot.view.viewport != viewport + 1 {
+            let actor = &slot.actor;
+            let seen = actor.radius != 0;
+            slot.view = View {
+                viewport: viewport + 1,
+                bounds: if seen {
+                    camera.bounds(actor.centre, actor.radius)
+                } else {
+                    Rect::of_size(0, 0)
+                },
+                eye: camera.eye().and_then(|eye| actor.place(eye)),
+            };
+        }
+        slot.view.bounds
+    }
+
+    /// An actor, and where a camera's ray that starts at `origin` starts in its grid:
+    /// of a perspective, as kept since [`RayActors::bounds`].
+    #[inline(always)]
+    pub(super) fn seen(
+        &mut self,
+        number: u16,
+        viewport: u16,
+        camera: &RayCamera,
+        origin: [i32; 3],
+    ) -> Option<(&RayActor, Option<GridPlace>)> {
+        self.bounds(number, viewport, camera);
+        let slot = self.slot(number)?;
+        let from = match camera.eye() {
+            Some(_) => slot.view.eye,
+            None => slot.actor.place(origin),
+        };
+        Some((&slot.actor, from))
+    }
+
+    /// How many there are.
+    pub(super) fn count(&self) -> u16 {
+        self.scene.actor_count()
+    }
+}
+
+#[inline(never)]
+fn fill(scene: &Scene<'_>, pose: &Pose<'_>, number: u16, out: &mut RaySlot) {
+    let actor = scene.actor(number);
+    let place = pose.place(scene, number, &actor);
+    out.actor = RayActor::new(scene, number, &actor, &place);
+    out.view.viewport = 0;
+    // Lines, marks and what lies on the screen are no surfaces.
+    if scene.look(number).is_some() {
+        out.actor.radius = 0;
+    }
+}

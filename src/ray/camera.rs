@@ -1,0 +1,250 @@
+//! Rays through the pixels of a viewport.
+
+use super::ray::{FAR, Ray, moved};
+use crate::math::{Rect, SUBPX_BITS, Scaled, Unit3, Vec3, mul_high_u, reciprocal, unit};
+use crate::view::{DepthMap, ViewFrame};
+
+/// Fractional bits of what changes from pixel to pixel.
+const FINE: u32 = 40;
+
+/// A view, ready to cast rays. What changes linearly with the pixel is worked out once;
+/// for a perspective it is the direction, of which the part along the line of sight is
+/// 1, for a parallel view the place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RayCamera {
+    perspective: bool,
+    eye: [i32; 3],
+    sight: Unit3,
+    /// In the middle of pixel (0, 0), [`FINE`] fractional bits (of a raw bit: 20).
+    first: [i64; 3],
+    /// Changes a pixel to the right and down.
+    across: [i64; 3],
+    down: [i64; 3],
+    /// Right shift that brings directions to 30 bits.
+    shift: u32,
+    /// Distances along the line of sight, raw world bits.
+    near: i64,
+    far: i64,
+    depth: DepthMap,
+    frame: ViewFrame,
+}
+
+/// A camera's ray.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cast {
+    pub ray: Ray,
+    /// Distance along the line of sight for one along the ray, below 2^32.
+    cosine: u32,
+}
+
+impl RayCamera {
+    pub(super) fn new(frame: &ViewFrame) -> Self {
+        let [mx, my] = frame.lens.mantissas.map(|m| i64::from(m.max(1)));
+        let fraction = if frame.perspective {
+            FINE as i32
+        } else {
+            16 + 20
+        };
+        // A pixel is 2^12 sub-pixels, which are mantissa / 2^31 * 2^exponent.
+        let up = SUBPX_BITS as i32 + 31 - frame.lens.exponent + fraction;
+        let step = |m: i64| divide_up(up, m);
+        let (step_x, step_y) = (step(mx), -step(my));
+        // From the middle of the picture to that of pixel (0, 0), in half pixels.
+        let half = |size: u16, step: i64| (1 - i64::from(size)) * step / 2;
+        let (x, y) = (half(frame.width, step_x), half(frame.height, step_y));
+        let to_world = frame.rotation.transposed();
+        let held = |v: i64| v.clamp(-(1 << 46), 1 << 46);
+        let turned = |x: i64, y: i64, z: i64| to_world.apply_wide([held(x), held(y), z]);
+        let [right, _, back] = frame.rotation.rows;
+        let mut sight = back.map(|c| -c);
+        let shear = i64::from(frame.shear) << (FINE - 30);
+        if !frame.perspective && shear != 0 {
+            let mut sheared = sight;
+            for (c, r) in sheared.iter_mut().zip(right) {
+                *c = c.saturating_sub(crate::math::mul_q30(frame.shear, r));
+            }
+            sight = unit(sheared).map_or(sight, |(unit, _)| unit);
+        }
+        let first = if frame.perspective {
+            turned(x - shear, y, -(1 << FINE))
+        } else {
+            turned(x, y, 0)
+        };
+        let (across, down) = (turned(step_x, 0, 0), turned(0, step_y, 0));
+        // The largest direction.
+        let corners = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(right, bottom)| {
+            let (columns, rows) = (
+                i64::from(frame.width) * right,
+                i64::from(frame.height) * bottom,
+            );
+            let all = first.into_iter().zip(across).zip(down);
+            all.fold(0, |m, ((c, x), y)| {
+                m | (c + x * columns + y * rows).unsigned_abs()
+            })
+        });
+        let bits = 64 - corners.iter().fold(1, |m, c| m | c).leading_zeros();
+        let near = if frame.perspective {
+            frame.near
+        } else {
+            frame.near.clamp(-(1 << 30), 1 << 30)
+        };
+        Self {
+            perspective: frame.perspective,
+            eye: frame.eye.to_bits(),
+            sight,
+            first,
+            across,
+            down,
+            shift: bits.saturating_sub(30),
+            near,
+            far: frame.far,
+            frame: *frame,
+            depth: DepthMap::new(
+                frame,
+                16,
+                frame.near.clamp(i32::MIN.into(), i32::MAX.into()) as i32,
+            ),
+        }
+    }
+
+    /// Where all rays start, of a perspective.
+    pub(super) fn eye(&self) -> Option<[i32; 3]> {
+        self.perspective.then_some(self.eye)
+    }
+
+    /// Pixels outside of this see nothing of a sphere, raw world bits.
+    #[inline(never)]
+    pub(super) fn bounds(&self, centre: [i32; 3], radius: i32) -> Rect {
+        let frame = &self.frame;
+        let all = Rect::of_size(frame.width, frame.height);
+        let off = Vec3::from_bits(centre).minus(frame.eye);
+        let [x, y, back] = frame.rotation.apply_wide(off);
+        let (distance, radius) = (-back, i64::from(radius) + 16);
+        let [mx, my] = frame.lens.mantissas.map(i64::from);
+        let shear = i64::from(frame.shear);
+        let x = x + ((shear * distance) >> 30);
+        let reach = if shear == 0 { radius } else { 2 * radius };
+        let (nearest, farthest) = (distance - radius, distance + radius);
+        if farthest < self.near {
+            return Rect::of_size(0, 0);
+        }
+        if self.perspective && nearest < 16 {
+            return all;
+        }
+        // Pixels from the middle, rounded down, given with 20 fractional bits.
+        let pixels = |ratio: i64, m: i64| {
+            let down = 31 + 20 + SUBPX_BITS as i32 - frame.lens.exponent;
+            let product = ratio.clamp(-(1 << 31), 1 << 31) * m;
+            product >> down.clamp(0, 63)
+        };
+        let ratio = |side: i64| {
+            if !self.perspective {
+                return side << 4;
+            }
+            let distance = if side > 0 { nearest } else { farthest };
+            (side << 20).checked_div_euclid(distance).unwrap_or(0)
+        };
+        let span = |middle: i64, reach: i64, m: i64, size: u16| {
+            let (size, half) = (i64::from(size), i64::from(size) / 2);
+            let low = -pixels(ratio(reach - middle), m) + half - 2;
+            let high = pixels(ratio(middle + reach), m) + half + 3;
+            [low, high].map(|c| c.clamp(0, size) as u16)
+        };
+        let [left, right] = span(x, reach, mx, frame.width);
+        let [top, bottom] = span(-y, radius, my, frame.height);
+        Rect {
+            left,
+            top,
+            right,
+            bottom,
+        }
+    }
+
+    /// The ray through a pixel; `offset` is from its middle, in 2^-16 pixels.
+    #[inline(always)]
+    pub(super) fn cast(&self, column: i32, row: i32, offset: [i32; 2]) -> Cast {
+        let [dx, dy] = offset.map(i64::from);
+        let mut at = self.first;
+        for ((at, x), y) in at.iter_mut().zip(self.across).zip(self.down) {
+            *at += x * i64::from(column) + y * i64::from(row);
+            if offset != [0; 2] {
+                *at += ((x * dx) >> 16) + ((y * dy) >> 16);
+            }
+        }
+        if !self.perspective {
+            let mut origin = moved(self.eye, self.sight, self.near as i32);
+            for (c, at) in origin.iter_mut().zip(at) {
+                *c = c.saturating_add((at >> 20) as i32);
+            }
+            let far = self.far.saturating_sub(self.near);
+            return Cast {
+                ray: Ray {
+                    origin,
+                    direction: self.sight,
+                    near: 0,
+                    far: far.clamp(0, FAR.into()) as u32,
+                    from_ball: 0,
+                },
+                cosine: u32::MAX,
+            };
+        }
+        let direction = at.map(|c| (c >> self.shift) as i32);
+        let (direction, per_length) = unit(direction).unwrap_or((self.sight, Scaled::new(1, 0)));
+        // The part along the line of sight is 2^(FINE - shift).
+        let cosine = Scaled::new(
+            per_length.mantissa(),
+            per_length.exponent() + FINE as i32 - self.shift as i32,
+        );
+        let cosine = cosine.fixed(32);
+        Cast {
+            ray: Ray {
+                origin: self.eye,
+                direction,
+                near: along(self.near, cosine),
+                far: along(self.far, cosine),
+                from_ball: 0,
+            },
+            cosine,
+        }
+    }
+
+    /// The depth at a distance along a ray, as the rasteriser has it.
+    #[inline(always)]
+    pub(super) fn depth(&self, cast: &Cast, distance: u32) -> u16 {
+        let sight = if self.perspective {
+            mul_high_u(distance, cast.cosine) as i32
+        } else {
+            (i64::from(distance) + self.near).clamp(i32::MIN.into(), i32::MAX.into()) as i32
+        };
+        let recip = reciprocal(sight.max(1) as u32);
+        let fine = self.depth.depth(sight, recip).to_bits();
+        ((fine + 8) >> 4).clamp(1, 65535) as u16
+    }
+}
+
+/// From a distance along the line of sight to one along a ray.
+#[inline(always)]
+fn along(sight: i64, cosine: u32) -> u32 {
+    let Ok(sight) = u32::try_from(sight) else {
+        return FAR;
+    };
+    let recip = reciprocal(cosine);
+    // recip has 62 - shift fractional bits, the cosine 32.
+    let high = mul_high_u(sight, recip.mantissa as u32);
+    let up = recip.shift + 2;
+    if up >= high.leading_zeros() {
+        return FAR;
+    }
+    high.wrapping_shl(up).min(FAR)
+}
+
+/// `2^up / divisor`, for a divisor below 2^31; saturates at 2^62.
+fn divide_up(up: i32, divisor: i64) -> i64 {
+    let quotient = (1i64 << 62) / divisor.max(1);
+    let up = up - 62;
+    if up >= 0 {
+        quotient.saturating_mul(1i64 << up.min(62))
+    } else {
+        (quotient >> (up.wrapping_neg() - 1).min(62)).wrapping_add(1) >> 1
+    }
+}

@@ -1,0 +1,136 @@
+//! A frame, tile by tile.
+
+use super::actors::RayActors;
+use super::light::RayLights;
+use super::scratch::RayWorkspace;
+use super::tile::Drawing;
+use super::trace::Tracer;
+use crate::display::Display;
+use crate::frame::Band;
+use crate::light::Lit;
+use crate::palette::{Cycle, Palette};
+use crate::scene::{Pose, Scene};
+
+/// What a frame took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RayStats {
+    /// Bands shown.
+    pub bands: u32,
+    /// Rays from the camera that were cast.
+    pub rays: u32,
+}
+
+/// What a pixel shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Seen {
+    /// The actor in front.
+    pub actor: u16,
+    /// Its triangle's place in the scene's list; `None` of a ball.
+    pub triangle: Option<u32>,
+    /// Its depth.
+    pub depth: u16,
+    /// Lights that reach it: a bit each.
+    pub lights: u8,
+    /// Its light: the level, or of a material that goes by colour, and wherever
+    /// several surfaces are seen, red, green and blue. In 1/64 of a level.
+    pub light: Lit,
+    /// The palette index without dithering.
+    pub index: u8,
+}
+
+/// Sees each pixel that shows something: for measuring and picking.
+pub trait Watch {
+    /// A pixel's column and row in the frame, and what the ray through its middle shows.
+    fn pixel(&mut self, column: u16, row: u16, seen: &Seen);
+
+    /// The light of several rays at a pixel, and the index for it without dithering.
+    fn smoothed(&mut self, column: u16, row: u16, light: Lit, index: u8);
+}
+
+impl Watch for () {
+    #[inline(always)]
+    fn pixel(&mut self, _: u16, _: u16, _: &Seen) {}
+
+    #[inline(always)]
+    fn smoothed(&mut self, _: u16, _: u16, _: Lit, _: u8) {}
+}
+
+/// Draws a frame by rays: `pose.height` rows as wide as the band, in as many bands as
+/// that takes, each shown as soon as it is finished. The scene is to be baked for it; of
+/// one that is not, the background is shown.
+///
+/// # Errors
+/// Those of the display; drawing itself cannot fail.
+pub fn render_frame<D: Display>(
+    scene: &Scene<'_>,
+    pose: &Pose<'_>,
+    work: &mut RayWorkspace<'_>,
+    band: &mut Band<'_>,
+    display: &mut D,
+) -> Result<RayStats, D::Error> {
+    render_frame_watched(scene, pose, work, band, display, &mut ())
+}
+
+/// Draws a frame and has each pixel watched; see [`render_frame`].
+///
+/// # Errors
+/// Those of the display; drawing itself cannot fail.
+pub fn render_frame_watched<D: Display, W: Watch>(
+    scene: &Scene<'_>,
+    pose: &Pose<'_>,
+    work: &mut RayWorkspace<'_>,
+    band: &mut Band<'_>,
+    display: &mut D,
+    watch: &mut W,
+) -> Result<RayStats, D::Error> {
+    let mut stats = RayStats::default();
+    let (width, height) = (band.width(), pose.height);
+    let (first, count) = scene.header().cycle;
+    let cycle = Cycle {
+        first,
+        count,
+        shift: pose.palette_shift,
+    };
+    let palette = Palette {
+        colours: scene.palette(),
+        cycle,
+    };
+    // 1. Lights; actors follow when first needed.
+    let lights = RayLights::new(scene);
+    let mut tracer = Tracer {
+        scene,
+        actors: RayActors::new(scene, pose, work.slots),
+        lights: &lights,
+        settings: scene.ray_settings(),
+        palette,
+        background: scene.viewport_background(0),
+    };
+    display.begin(&palette)?;
+    let mut top = 0;
+    while top < height {
+        let end = top.saturating_add(band.rows()).min(height);
+        let mut target = band.target(top, end);
+        stats.bands += 1;
+        if !scene.is_filled(width) {
+            target.clear(|y| scene.background(y, height));
+        }
+        for number in 0..scene.viewport_count() {
+            // 2. A viewport's camera, 3. its rays.
+            let viewport = scene.place_viewport(number, pose, width, height);
+            tracer.background = scene.viewport_background(number);
+            let mut part = target.part(&viewport.rect);
+            let mut drawing = Drawing {
+                tracer: &mut tracer,
+                listed: work.listed,
+                watch,
+                viewport,
+                dither: scene.dither(),
+                stats: &mut stats,
+            };
+            drawing.draw(&mut part);
+        }
+        display.show(target.finished())?;
+        top = end;
+    }
+    Ok(stats)
+}

@@ -1,0 +1,275 @@
+//! A ray's way through a mesh's hierarchy of boxes.
+//!
+//! A box is met if neither of the sheared space's first two axes separates it from the
+//! ray: a product each for the two sides that count, of a slope in 16 bits and a place
+//! in 8. Nothing is divided, nothing overflows, and what roundings may take is added:
+//! a box around something that is met is met.
+
+use super::grid_ray::GridRay;
+use super::triangle::{Faces, Points, TriangleHit, meet};
+use crate::math::mul_high;
+use crate::scene::layout::RAY_STACK;
+use crate::scene::{Child, Leaf, Mesh, Meshlet, Node, Record, Scene};
+
+/// Bits of a slope, and fractional bits of a place in a node's units.
+const SLOPE_BITS: u32 = 15;
+
+/// A mesh's hierarchy.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hierarchy<'a> {
+    scene: &'a Scene<'a>,
+    mesh: &'a Mesh,
+    nodes: &'a [<Node as Record>::Words],
+    meshlets: &'a [<Meshlet as Record>::Words],
+}
+
+/// What is wanted of a way through a hierarchy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Wanted {
+    Nearest,
+    Any,
+    Count,
+}
+
+/// What is left for later: a node's word for a child, and how far ahead its box is.
+#[derive(Clone, Copy)]
+struct Left {
+    word: u32,
+    ahead: i32,
+}
+
+/// The way so far.
+struct Way {
+    /// The nearest triangle.
+    nearest: Option<TriangleHit>,
+    /// How many there are.
+    count: u32,
+    /// Between which distances.
+    range: (i32, i32),
+    faces: Faces,
+}
+
+impl<'a> Hierarchy<'a> {
+    pub(super) fn new(scene: &'a Scene<'a>, mesh: &'a Mesh, first_node: u32) -> Self {
+        Self {
+            scene,
+            mesh,
+            nodes: scene.nodes_from(first_node),
+            meshlets: scene.meshlets_of(mesh),
+        }
+    }
+
+    /// The nearest triangle that a ray meets within a range, in units of its third axis.
+    #[inline(never)]
+    pub(super) fn nearest(
+        &self,
+        ray: &GridRay,
+        faces: Faces,
+        range: (i32, i32),
+    ) -> Option<TriangleHit> {
+        self.walk(ray, faces, range, Wanted::Nearest).nearest
+    }
+
+    /// Whether a ray meets any triangle.
+    #[inline(never)]
+    pub(super) fn any(&self, ray: &GridRay, range: (i32, i32)) -> bool {
+        self.walk(ray, Faces::BOTH, range, Wanted::Any).count != 0
+    }
+
+    /// How many triangles a ray meets.
+    #[inline(never)]
+    pub(super) fn count(&self, ray: &GridRay, range: (i32, i32)) -> u32 {
+        self.walk(ray, Faces::BOTH, range, Wanted::Count).count
+    }
+
+    #[inline(always)]
+    fn walk(&self, ray: &GridRay, faces: Faces, range: (i32, i32), wanted: Wanted) -> Way {
+        let mut way = Way {
+            nearest: None,
+            count: 0,
+            range,
+            faces,
+        };
+        let mut left = [Left { word: 0, ahead: 0 }; RAY_STACK];
+        let mut count = 0usize;
+        let mut word = 0u32;
+        loop {
+            if word >> 31 == 0 {
+                count = self.node(ray, word, way.range, &mut left, count);
+            } else if let Child::Leaf(leaf) = Child::from_word(word.to_le()) {
+                self.leaf(ray, leaf, wanted, &mut way);
+                if wanted == Wanted::Any && way.count != 0 {
+                    return way;
+                }
+            }
+            // What comes after the nearest triangle so far is not looked at.
+            word = loop {
+                let Some(next) = count.checked_sub(1).and_then(|last| left.get(last)) else {
+                    return way;
+                };
+                count -= 1;
+                if next.ahead <= way.range.1 {
+                    break next.word;
+                }
+            };
+        }
+    }
+
+    /// Leaves the boxes of a node that a ray meets for later, the nearest last.
+    #[inline(always)]
+    fn node(
+        &self,
+        ray: &GridRay,
+        number: u32,
+        (nearest, farthest): (i32, i32),
+        left: &mut [Left; RAY_STACK],
+        first: usize,
+    ) -> usize {
+        let Some(words) = self.nodes.get(number as usize) else {
+            return first;
+        };
+        let [o0, o1, o2, rest @ ..] = words;
+        let origin = [*o0, *o1, *o2].map(|word| u32::from_le(word) as i32);
+        let exponent = (origin[0] & 31) + ray.from.fraction;
+        let place = |axis: usize| ray.off(axis, origin.get(axis).copied().unwrap_or(0) >> 5);
+        let [kx, ky, kz] = ray.axes;
+        let (nx, ny, nz) = (place(kx), place(ky), place(kz));
+        let [sx, sy] = ray.slopes;
+        let x = (nx >> 1).wrapping_sub(mul_high(sx, nz));
+        let y = (ny >> 1).wrapping_sub(mul_high(sy, nz));
+        // Of the bytes of all four boxes, by side and axis.
+        let sides = |axis: usize, high: usize| {
+            let word = rest.get((axis & 3) * 2 + high).copied().unwrap_or(0);
+            u32::from_le(word)
+        };
+        let (z_low, z_high) = (sides(kz, 0), sides(kz, 1));
+        let [.., c0, c1, c2, c3] = rest;
+        let children = [*c0, *c1, *c2, *c3].map(u32::from_le);
+
+        // A node is 255 units wide at most, and as wide again by its depth times a slope
+        // of 1: farther off than 512 units it is missed.
+        let small = exponent < 1;
+        let exponent = exponent.clamp(1, 23);
+        let reach = 1i32 << (exponent + 8).min(30);
+        let missed = |c: i32| (c.wrapping_add(reach) as u32) > 2 * reach as u32;
+        if !small && (missed(x) || missed(y)) {
+            return first;
+        }
+        let down = exponent - 1 - SLOPE_BITS as i32;
+        let in_units = |c: i32| {
+            if down >= 0 {
+                c >> down
+            } else {
+                c.wrapping_shl(down.unsigned_abs())
+            }
+        };
+        let (x, y) = (in_units(x), in_units(y));
+        // What the slopes' lost bits are on 255 units, and three roundings of a place.
+        let margin = 258 + (3 << (SLOPE_BITS + 1) >> exponent);
+        let short = |slope: i32| (slope >> 16) + ((slope >> 15) & 1);
+        let (sx, sy) = (short(sx), short(sy));
+        let steps = |ahead: i32| {
+            let z = ray.ahead(ahead).wrapping_sub(nz);
+            z >> exponent
+        };
+        // The range on the third axis.
+        let (from, to) = if ray.up {
+            (
+                steps(nearest),
+                if farthest == i32::MAX {
+                    256
+                } else {
+                    steps(farthest)
+                },
+            )
+        } else {
+            (
+                if farthest == i32::MAX {
+                    -1
+                } else {
+                    steps(farthest)
+                },
+                steps(nearest),
+            )
+        };
+        let (from, to) = (from - 1, to + 1);
+        // Of the third axis' sides the one that brings a box's side towards the ray.
+        let (x_first, x_second) = if sx >= 0 {
+            (z_high, z_low)
+        } else {
+            (z_low, z_high)
+        };
+        let (y_first, y_second) = if sy >= 0 {
+            (z_high, z_low)
+        } else {
+            (z_low, z_high)
+        };
+        let (x_low, x_high) = (sides(kx, 0), sides(kx, 1));
+        let (y_low, y_high) = (sides(ky, 0), sides(ky, 1));
+
+        let mut count = first;
+        for (child, word) in (0u32..).zip(children) {
+            if word == 0 {
+                break;
+            }
+            let byte = |all: u32| (all >> (8 * child) & 255) as i32;
+            let (low, high) = (byte(z_low), byte(z_high));
+            if !small {
+                if low > to || high < from {
+                    continue;
+                }
+                if (byte(x_low) << SLOPE_BITS) + x - sx * byte(x_first) > margin
+                    || (byte(x_high) << SLOPE_BITS) + x - sx * byte(x_second) < -margin
+                    || (byte(y_low) << SLOPE_BITS) + y - sy * byte(y_first) > margin
+                    || (byte(y_high) << SLOPE_BITS) + y - sy * byte(y_second) < -margin
+                {
+                    continue;
+                }
+            }
+            let ahead = if ray.up {
+                nz.saturating_add(low << exponent)
+            } else {
+                nz.saturating_add(high << exponent).saturating_neg()
+            };
+            let ahead = if small { i32::MIN } else { ahead };
+            // The parser made sure that there is room.
+            let mut at = count.min(RAY_STACK - 1);
+            count = at + 1;
+            while at > first {
+                let Some(before) = left.get(at - 1).copied() else {
+                    break;
+                };
+                if before.ahead >= ahead {
+                    break;
+                }
+                if let Some(slot) = left.get_mut(at) {
+                    *slot = before;
+                }
+                at -= 1;
+            }
+            if let Some(slot) = left.get_mut(at) {
+                *slot = Left { word, ahead };
+            }
+        }
+        count
+    }
+
+    #[inline(always)]
+    fn leaf(&self, ray: &GridRay, leaf: Leaf, wanted: Wanted, way: &mut Way) {
+        let Some(words) = self.meshlets.get(leaf.meshlet as usize) else {
+            return;
+        };
+        let points = Points::new(self.scene, self.mesh, Meshlet::from_words(words));
+        for triangle in leaf.first..leaf.first.saturating_add(leaf.count) {
+            let number = (leaf.meshlet, triangle);
+            let Some(hit) = meet(ray, &points, number, way.faces, way.range) else {
+                continue;
+            };
+            way.count += 1;
+            if wanted == Wanted::Nearest && way.nearest.is_none_or(|best| hit.before(&best)) {
+                way.range.1 = hit.ahead;
+                way.nearest = Some(hit);
+            }
+        }
+    }
+}

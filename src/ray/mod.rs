@@ -1,0 +1,27 @@
+//! A ray caster: the scene by rays through pixels, with shadows, mirrors and glass. In:
+//! a [`Scene`](crate::Scene) baked for it, and a [`Pose`](crate::Pose). Out: finished
+//! rows for a [`Display`](crate::Display), as the rasteriser gives them. Used by
+//! applications; draws surfaces only, no lines, marks or texts.
+
+mod actor;
+mod actors;
+mod ball;
+mod bounce;
+mod camera;
+mod frame;
+mod grid_ray;
+mod hierarchy;
+mod light;
+mod nearest;
+#[expect(clippy::module_inception, reason = "that is what it has")]
+mod ray;
+mod scratch;
+mod sequence;
+mod surface;
+mod tile;
+mod trace;
+mod triangle;
+
+pub use actors::RaySlot;
+pub use frame::{RayStats, Seen, Watch, render_frame, render_frame_watched};
+pub use scratch::{RayScratch, RayWorkspace};

@@ -1,0 +1,125 @@
+//! What a ray meets first, and what is in its way.
+
+use super::actor::{GridPlace, RayActor};
+use super::ball::BallHit;
+use super::grid_ray::GridRay;
+use super::hierarchy::Hierarchy;
+use super::ray::Ray;
+use super::surface::{Need, Surface};
+use super::triangle::TriangleHit;
+use crate::math::Scaled;
+use crate::scene::{Scene, Shape};
+
+/// What a ray meets.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Met {
+    /// Raw world bits along the ray.
+    pub distance: u32,
+    what: What,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum What {
+    Triangle(GridRay, TriangleHit),
+    Ball(BallHit),
+}
+
+impl RayActor {
+    /// Where a ray first meets this actor, nearer than `far`; `from` is the ray's start
+    /// in the actor's grid.
+    #[inline(always)]
+    pub(super) fn meet(
+        &self,
+        scene: &Scene<'_>,
+        ray: &Ray,
+        from: Option<GridPlace>,
+        far: u32,
+    ) -> Option<Met> {
+        let Shape::Triangles { first_node, .. } = self.shape else {
+            let ball = self.meet_ball(ray, self.faces)?;
+            return (ball.distance < far).then_some(Met {
+                distance: ball.distance,
+                what: What::Ball(ball),
+            });
+        };
+        let grid = GridRay::new(self, ray, from?);
+        let mesh = scene.mesh(self.mesh);
+        let tree = Hierarchy::new(scene, &mesh, first_node);
+        let range = (grid.units(self, ray.near), limit(&grid, self, far));
+        let hit = tree.nearest(&grid, self.faces, range)?;
+        let way = self.way(grid.along, grid.from.fraction);
+        let distance = Scaled::new(hit.ahead.unsigned_abs(), 0).times(way).fixed(0);
+        (distance < far).then_some(Met {
+            distance,
+            what: What::Triangle(grid, hit),
+        })
+    }
+
+    /// How often a ray meets this actor; of an opaque one, whether it does.
+    pub(super) fn in_the_way(&self, scene: &Scene<'_>, ray: &Ray) -> u32 {
+        let Shape::Triangles { first_node, .. } = self.shape else {
+            return self.count_ball(ray);
+        };
+        let Some(from) = self.place(ray.origin) else {
+            return 0;
+        };
+        let grid = GridRay::new(self, ray, from);
+        let mesh = scene.mesh(self.mesh);
+        let tree = Hierarchy::new(scene, &mesh, first_node);
+        let range = (0, grid.units(self, ray.far));
+        if self.optics.opacity < 1 << 16 {
+            tree.count(&grid, range)
+        } else {
+            tree.any(&grid, range).into()
+        }
+    }
+
+    /// The surface where a ray meets it.
+    pub(super) fn surface_at(
+        &self,
+        scene: &Scene<'_>,
+        ray: &Ray,
+        met: &Met,
+        need: Need,
+    ) -> Option<Surface> {
+        match &met.what {
+            What::Triangle(grid, hit) => self.surface(scene, ray, grid, hit, need),
+            What::Ball(ball) => Some(Surface {
+                place: ball.place,
+                face: ball.normal,
+                normal: ball.normal,
+                tint: None,
+                coordinates: None,
+                back: ball.back,
+            }),
+        }
+    }
+
+    /// Whether it is met as a ball.
+    pub(super) fn is_ball(&self) -> bool {
+        !matches!(self.shape, Shape::Triangles { .. })
+    }
+
+    /// The triangle's place in the scene's list.
+    pub(super) fn triangle(&self, scene: &Scene<'_>, met: &Met) -> Option<u32> {
+        let What::Triangle(_, hit) = &met.what else {
+            return None;
+        };
+        let mesh = scene.mesh(self.mesh);
+        let meshlet = scene.meshlet(mesh.first_meshlet.wrapping_add(hit.meshlet))?;
+        Some(meshlet.first_triangle.wrapping_add(hit.triangle.into()))
+    }
+
+    /// How far from its surface a ray has to start that shall not meet it again: what
+    /// roundings take, raw world bits.
+    pub(super) fn lift(&self, distance: u32) -> i32 {
+        let lift = 32 + self.roughness() + (distance >> 25);
+        lift as i32
+    }
+}
+
+/// A distance in the units of the third axis, rounded up by what it may be off.
+fn limit(grid: &GridRay, actor: &RayActor, far: u32) -> i32 {
+    let units = grid.units(actor, far);
+    units.saturating_add((units >> 24) + 4)
+}

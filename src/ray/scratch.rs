@@ -1,0 +1,47 @@
+//! The ray caster's working memory.
+
+use super::actors::RaySlot;
+
+/// Working memory of a fixed size; put it into a `static`. `ACTORS` whose places are kept
+/// for the frame, about 0.2 KB each, at least 1. If a scene has more, they are made again
+/// whenever they are needed: the picture is the same, but slow.
+#[derive(Debug)]
+pub struct RayScratch<const ACTORS: usize> {
+    slots: [RaySlot; ACTORS],
+    listed: [u16; ACTORS],
+}
+
+impl<const ACTORS: usize> RayScratch<ACTORS> {
+    const SOME: () = assert!(ACTORS > 0);
+
+    /// Empty.
+    pub const fn new() -> Self {
+        let () = Self::SOME;
+        Self {
+            slots: [RaySlot::EMPTY; ACTORS],
+            listed: [0; ACTORS],
+        }
+    }
+
+    /// The memory without its size, for [`render_frame`](super::render_frame).
+    pub fn workspace(&mut self) -> RayWorkspace<'_> {
+        RayWorkspace {
+            slots: &mut self.slots,
+            listed: &mut self.listed,
+        }
+    }
+}
+
+impl<const ACTORS: usize> Default for RayScratch<ACTORS> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// A [`RayScratch`] of any size.
+#[derive(Debug)]
+pub struct RayWorkspace<'a> {
+    pub(super) slots: &'a mut [RaySlot],
+    /// Actors that a tile's rays may meet.
+    pub(super) listed: &'a mut [u16],
+}

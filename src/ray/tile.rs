@@ -1,0 +1,315 @@
+//! A viewport's pixels, tile by tile.
+
+use super::camera::RayCamera;
+use super::frame::{RayStats, Seen, Watch};
+use super::light::Seed;
+use super::sequence::sample;
+use super::trace::{Light, Shown, Tracer, lookup};
+use crate::fog::{self, FogDepths};
+use crate::frame::Target;
+use crate::light::Lit;
+use crate::math::Rect;
+use crate::scene::{Dither, PlacedViewport};
+use crate::shade::{Lookup, Pixel, dithered};
+use crate::view::ViewFrame;
+
+/// Columns and rows of a tile.
+const TILE: u16 = 8;
+/// Columns and rows of a tile with its neighbours.
+const GROWN: usize = TILE as usize + 2;
+
+/// A viewport being drawn.
+pub(super) struct Drawing<'a, 's, W> {
+    pub tracer: &'a mut Tracer<'s>,
+    /// Actors that a tile's rays may meet.
+    pub listed: &'a mut [u16],
+    pub watch: &'a mut W,
+    pub viewport: PlacedViewport,
+    pub dither: Dither,
+    pub stats: &'a mut RayStats,
+}
+
+/// What neighbours are compared by: red, green and blue, and the actor; background has
+/// none.
+#[derive(Clone, Copy)]
+struct Looks {
+    colour: Lit,
+    actor: u16,
+}
+
+/// No actor's number.
+const NOTHING: u16 = u16::MAX;
+
+impl<W: Watch> Drawing<'_, '_, W> {
+    /// Draws the viewport's part of a band, whose first row is the target's.
+    pub(super) fn draw(&mut self, target: &mut Target<'_>) {
+        let rect = self.viewport.rect;
+        let background = self.tracer.background;
+        target.clear(|y| background.at(y, rect.height()));
+        let frame = ViewFrame::of(&self.viewport);
+        let camera = RayCamera::new(&frame);
+        let samples = self.tracer.settings.samples;
+        let mut top = target.top;
+        while top < target.end {
+            let bottom = (top - top % TILE + TILE).min(target.end);
+            let mut left = 0;
+            while left < target.width {
+                let right = (left + TILE).min(target.width);
+                let tile = Rect {
+                    left,
+                    top,
+                    right,
+                    bottom,
+                };
+                if samples > 1 {
+                    self.smooth_tile(&camera, target, &tile, samples);
+                } else {
+                    self.tile(&camera, target, &tile);
+                }
+                left = right;
+            }
+            top = bottom;
+        }
+        let scene = self.tracer.scene;
+        if cfg!(feature = "fog")
+            && let (Some(fog), Some(table)) = (scene.fog(), scene.fog_table())
+        {
+            fog::apply(target, table, &FogDepths::new(&frame, &fog.distances));
+        }
+    }
+
+    /// Lists the actors that may be seen in a tile; says how many.
+    fn list(&mut self, camera: &RayCamera, tile: &Rect) -> usize {
+        let number = self.viewport.number;
+        let mut count = 0;
+        for actor in 0..self.tracer.actors.count() {
+            let bounds = self.tracer.actors.bounds(actor, number, camera);
+            let across = bounds.left < tile.right && bounds.right > tile.left;
+            let down = bounds.top < tile.bottom && bounds.bottom > tile.top;
+            if across && down {
+                if let Some(slot) = self.listed.get_mut(count) {
+                    *slot = actor;
+                }
+                count += 1;
+            }
+        }
+        count
+    }
+
+    fn tile(&mut self, camera: &RayCamera, target: &mut Target<'_>, tile: &Rect) {
+        let count = self.list(camera, tile);
+        if count == 0 {
+            return;
+        }
+        for row in tile.top..tile.bottom {
+            for column in tile.left..tile.right {
+                let place = [column, row];
+                if let Some((shown, depth)) = self.cast(camera, place, 0, count) {
+                    self.show(target, place, &shown, depth);
+                }
+            }
+        }
+    }
+
+    /// What a pixel's ray shows, and its depth.
+    fn cast(
+        &mut self,
+        camera: &RayCamera,
+        [column, row]: [u16; 2],
+        number: u32,
+        count: usize,
+    ) -> Option<(Shown, u16)> {
+        let offset = match number {
+            0 => [0; 2],
+            // From the middle, in 2^-16 pixels.
+            _ => sample(number).map(|c| c.wrapping_sub(1 << 31) as i32 >> 16),
+        };
+        let cast = camera.cast(column.into(), row.into(), offset);
+        self.stats.rays += 1;
+        let seed = Seed {
+            pixel: [column.into(), row.into()],
+            sample: number,
+        };
+        let view = (self.viewport.number, camera);
+        let shown = if count <= self.listed.len() {
+            let listed = self.listed.get(..count).unwrap_or_default();
+            self.tracer
+                .camera(&cast.ray, view, listed.iter().copied(), seed)
+        } else {
+            let all = 0..self.tracer.actors.count();
+            self.tracer.camera(&cast.ray, view, all, seed)
+        }?;
+        let depth = camera.depth(&cast, shown.distance);
+        Some((shown, depth))
+    }
+
+    /// Draws a pixel.
+    fn show(&mut self, target: &mut Target<'_>, place: [u16; 2], shown: &Shown, depth: u16) {
+        let scene = self.tracer.scene;
+        let (lookup, lit) = match shown.light {
+            Light::Own(material, lit, base) => {
+                (lookup(scene, &scene.material(material), base), lit)
+            }
+            Light::Mixed(lit) => (Lookup::Colours(scene.colours()), lit),
+        };
+        let pixel = Pixel {
+            lookup,
+            lit,
+            place: place.map(i32::from),
+            texel: [0; 2],
+        };
+        let [column, row] = place;
+        self.watch.pixel(
+            self.viewport.rect.left + column,
+            self.viewport.rect.top + row,
+            &Seen {
+                actor: shown.actor,
+                triangle: shown.triangle,
+                depth,
+                lights: shown.lights,
+                light: lit,
+                index: dithered(&pixel, Dither::NONE),
+            },
+        );
+        put(target, place, dithered(&pixel, self.dither), Some(depth));
+    }
+
+    /// A tile whose pixels that differ from a neighbour have several rays.
+    #[inline(never)]
+    fn smooth_tile(
+        &mut self,
+        camera: &RayCamera,
+        target: &mut Target<'_>,
+        tile: &Rect,
+        samples: u8,
+    ) {
+        let rect = self.viewport.rect;
+        let grown = Rect {
+            left: tile.left.saturating_sub(1),
+            top: tile.top.saturating_sub(1),
+            right: (tile.right + 1).min(rect.width()),
+            bottom: (tile.bottom + 1).min(rect.height()),
+        };
+        let count = self.list(camera, &grown);
+        if count == 0 {
+            return;
+        }
+        let nothing = Looks {
+            colour: [0; 3],
+            actor: NOTHING,
+        };
+        let mut looks = [[nothing; GROWN]; GROWN];
+        for (row, looks) in (grown.top..grown.bottom).zip(&mut looks) {
+            let within = tile.top <= row && row < tile.bottom;
+            for (column, looks) in (grown.left..grown.right).zip(looks) {
+                let place = [column, row];
+                let seen = self.cast(camera, place, 0, count);
+                *looks = self.looks(seen.as_ref().map(|(shown, _)| shown), row);
+                if let (Some((shown, depth)), true) = (seen, within)
+                    && tile.left <= column
+                    && column < tile.right
+                {
+                    self.show(target, place, &shown, depth);
+                }
+            }
+        }
+        for row in tile.top..tile.bottom {
+            for column in tile.left..tile.right {
+                let at = |column: u16, row: u16| {
+                    let inside = (grown.left..grown.right).contains(&column)
+                        && (grown.top..grown.bottom).contains(&row);
+                    let looks = looks.get(usize::from(row.wrapping_sub(grown.top)));
+                    let looks = looks?.get(usize::from(column.wrapping_sub(grown.left)));
+                    looks.filter(|_| inside)
+                };
+                let Some(own) = at(column, row) else { continue };
+                let around = [
+                    at(column.wrapping_sub(1), row),
+                    at(column + 1, row),
+                    at(column, row.wrapping_sub(1)),
+                    at(column, row + 1),
+                ];
+                let threshold = self.tracer.settings.threshold;
+                let mut around = around.into_iter().flatten();
+                if around.any(|other| differ(own, other, threshold)) {
+                    self.smooth(camera, target, [column, row], own.colour, samples, count);
+                }
+            }
+        }
+    }
+
+    /// Draws a pixel of which one ray shows `first`, by several rays.
+    fn smooth(
+        &mut self,
+        camera: &RayCamera,
+        target: &mut Target<'_>,
+        place: [u16; 2],
+        first: Lit,
+        samples: u8,
+        count: usize,
+    ) {
+        let [column, row] = place;
+        let mut sums = first.map(u32::from);
+        for number in 1..u32::from(samples) {
+            let seen = self.cast(camera, place, number, count);
+            let looks = self.looks(seen.as_ref().map(|(shown, _)| shown), row);
+            for (sum, c) in sums.iter_mut().zip(looks.colour) {
+                *sum += u32::from(c);
+            }
+        }
+        let all = u32::from(samples);
+        let mean = |sum: u32| (sum + all / 2).checked_div(all).unwrap_or(0) as u16;
+        let pixel = Pixel {
+            lookup: Lookup::Colours(self.tracer.scene.colours()),
+            lit: sums.map(mean),
+            place: place.map(i32::from),
+            texel: [0; 2],
+        };
+        self.watch.smoothed(
+            self.viewport.rect.left + column,
+            self.viewport.rect.top + row,
+            pixel.lit,
+            dithered(&pixel, Dither::NONE),
+        );
+        put(target, place, dithered(&pixel, self.dither), None);
+    }
+
+    /// What a ray shows as a colour.
+    fn looks(&self, shown: Option<&Shown>, row: u16) -> Looks {
+        let Some(shown) = shown else {
+            let height = self.viewport.rect.height();
+            let index = self.tracer.background.at(row, height);
+            return Looks {
+                colour: self.tracer.entry(index),
+                actor: NOTHING,
+            };
+        };
+        let colour = match shown.light {
+            Light::Own(material, lit, base) => {
+                let material = self.tracer.scene.material(material);
+                self.tracer.rgb(&material, lit, base)
+            }
+            Light::Mixed(lit) => lit,
+        };
+        Looks {
+            colour,
+            actor: shown.actor,
+        }
+    }
+}
+
+fn differ(a: &Looks, b: &Looks, threshold: u16) -> bool {
+    let mut channels = a.colour.iter().zip(b.colour);
+    a.actor != b.actor || channels.any(|(a, b)| a.abs_diff(b) > threshold)
+}
+
+fn put(target: &mut Target<'_>, [column, row]: [u16; 2], index: u8, depth: Option<u16>) {
+    let line = usize::from(row.saturating_sub(target.top)) * usize::from(target.stride);
+    let at = line + usize::from(column);
+    if let Some(slot) = target.indices.get_mut(at) {
+        *slot = index;
+    }
+    if let (Some(slot), Some(depth)) = (target.depths.get_mut(at), depth) {
+        *slot = depth;
+    }
+}

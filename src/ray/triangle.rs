@@ -1,0 +1,163 @@
+//! A ray and a triangle.
+
+use super::grid_ray::{GridRay, component};
+use crate::math::{mul_high, mul_high_u, reciprocal};
+use crate::scene::{Mesh, Meshlet, Scene};
+
+/// Where a ray meets a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct TriangleHit {
+    /// How far along the ray, in units of the sheared space's third axis.
+    pub ahead: i32,
+    /// The second and the third corner's weights, Q30.
+    pub weights: [i32; 2],
+    /// The meshlet, counted in the mesh.
+    pub meshlet: u32,
+    /// The triangle, counted in the meshlet.
+    pub triangle: u8,
+    /// Whether it is seen from behind.
+    pub back: bool,
+}
+
+impl TriangleHit {
+    /// Whether it comes before another one: where both are as far, the triangle's number
+    /// decides, so that the way through the hierarchy does not.
+    pub(super) fn before(&self, other: &Self) -> bool {
+        let key = |hit: &Self| (hit.ahead, hit.meshlet, hit.triangle);
+        key(self) < key(other)
+    }
+}
+
+/// Which sides of triangles are met.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Faces {
+    pub front: bool,
+    pub back: bool,
+}
+
+impl Faces {
+    pub(super) const BOTH: Self = Self {
+        front: true,
+        back: true,
+    };
+}
+
+/// A meshlet's vertices on the grid.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Points<'a> {
+    pub meshlet: Meshlet,
+    vertices: &'a [[i16; 4]],
+    fine: &'a [[u8; 4]],
+    triangles: &'a [[u8; 3]],
+}
+
+impl<'a> Points<'a> {
+    #[inline(always)]
+    pub(super) fn new(scene: &Scene<'a>, mesh: &Mesh, meshlet: Meshlet) -> Self {
+        Self {
+            meshlet,
+            vertices: scene.meshlet_vertices(&meshlet),
+            fine: scene.meshlet_fine(&meshlet, mesh),
+            triangles: scene.meshlet_triangles(&meshlet),
+        }
+    }
+
+    /// The corners' numbers.
+    #[inline(always)]
+    pub(super) fn corners(&self, triangle: u8) -> [usize; 3] {
+        let corners = self.triangles.get(usize::from(triangle)).copied();
+        corners.unwrap_or_default().map(usize::from)
+    }
+
+    /// A vertex's place on one axis of the grid, in grid steps.
+    #[inline(always)]
+    fn steps(&self, vertex: &[i16; 4], fine: Option<&[u8; 4]>, axis: usize) -> i32 {
+        let base = component(&self.meshlet.base, axis);
+        let shift = self.meshlet.shifts.get(axis).copied().unwrap_or(0);
+        let own = i32::from(i16::from_le(vertex.get(axis).copied().unwrap_or(0)));
+        let low = fine.map_or(0, |fine| fine.get(axis).copied().unwrap_or(0));
+        base.wrapping_add(own.wrapping_shl(shift.into()))
+            .wrapping_add(low.into())
+    }
+
+    /// A vertex as it is off a ray's start, its axes in the order of `axes`.
+    #[inline(always)]
+    pub(super) fn off(&self, ray: &GridRay, number: usize, axes: [usize; 3]) -> [i32; 3] {
+        let vertex = self.vertices.get(number).copied().unwrap_or_default();
+        let fine = self.fine.get(number);
+        axes.map(|axis| ray.off(axis, self.steps(&vertex, fine, axis)))
+    }
+}
+
+/// Where a ray meets a triangle between `nearest` and `farthest`.
+#[inline(always)]
+pub(super) fn meet(
+    ray: &GridRay,
+    points: &Points<'_>,
+    (meshlet, triangle): (u32, u8),
+    faces: Faces,
+    (nearest, farthest): (i32, i32),
+) -> Option<TriangleHit> {
+    let corners = points.corners(triangle);
+    let [a, b, c] = corners.map(|corner| ray.sheared(points.off(ray, corner, ray.axes)));
+    let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (a, b, c);
+    // All to one side of the ray.
+    if (ax & bx & cx | all_above(ax, bx, cx)) < 0 {
+        return None;
+    }
+    if (ay & by & cy | all_above(ay, by, cy)) < 0 {
+        return None;
+    }
+    // Twice the areas that the ray forms with the edges: 31 bits by 31.
+    let area = |px: i32, py: i32, qx: i32, qy: i32| {
+        (i64::from(px) * i64::from(qy)).wrapping_sub(i64::from(qx) * i64::from(py))
+    };
+    let u = area(bx, by, cx, cy);
+    let v = area(cx, cy, ax, ay);
+    let w = area(ax, ay, bx, by);
+    let counter_clockwise = (u | v | w) >= 0;
+    if !counter_clockwise && (u > 0 || v > 0 || w > 0) {
+        return None;
+    }
+    let whole = u.wrapping_add(v).wrapping_add(w);
+    let back = counter_clockwise == ray.up;
+    if whole == 0 || !(if back { faces.back } else { faces.front }) {
+        return None;
+    }
+    let weights = weights(whole.unsigned_abs(), [v, w].map(i64::unsigned_abs));
+    let [second, third] = weights;
+    // Q31 and a bit less of the result.
+    let part = |weight: i32, from: i32, to: i32| {
+        mul_high(weight << 1, to.wrapping_sub(from)).wrapping_shl(1)
+    };
+    let z = az
+        .wrapping_add(part(second, az, bz))
+        .wrapping_add(part(third, az, cz));
+    let ahead = ray.ahead(z);
+    (nearest..=farthest)
+        .contains(&ahead)
+        .then_some(TriangleHit {
+            ahead,
+            weights,
+            meshlet,
+            triangle,
+            back,
+        })
+}
+
+/// Below 0 if all are above 0.
+#[inline(always)]
+fn all_above(a: i32, b: i32, c: i32) -> i32 {
+    a.wrapping_neg() & b.wrapping_neg() & c.wrapping_neg()
+}
+
+/// Parts of a whole in Q30, below 1.
+#[inline(never)]
+fn weights(whole: u64, parts: [u64; 2]) -> [i32; 2] {
+    let down = 32u32.saturating_sub(whole.leading_zeros());
+    let recip = reciprocal((whole >> down) as u32);
+    parts.map(|part| {
+        let part = ((part >> down) as u32) << recip.shift;
+        mul_high_u(part, recip.mantissa as u32).min((1 << 30) - 1) as i32
+    })
+}
