@@ -6,6 +6,9 @@ use crate::view::{DepthMap, ViewFrame};
 
 /// Fractional bits of what changes from pixel to pixel.
 const FINE: u32 = 40;
+/// The same of a parallel view, beyond raw bits: with 31 of those as many as turning
+/// takes.
+const FINE_PLACE: u32 = 15;
 
 /// A view, ready to cast rays. What changes linearly with the pixel is worked out once;
 /// for a perspective it is the direction, of which the part along the line of sight is
@@ -15,7 +18,8 @@ pub(super) struct RayCamera {
     perspective: bool,
     eye: [i32; 3],
     sight: Unit3,
-    /// In the middle of pixel (0, 0), [`FINE`] fractional bits (of a raw bit: 20).
+    /// In the middle of pixel (0, 0), [`FINE`] fractional bits, or [`FINE_PLACE`] of a
+    /// raw bit.
     first: [i64; 3],
     /// Changes a pixel to the right and down.
     across: [i64; 3],
@@ -43,7 +47,7 @@ impl RayCamera {
         let fraction = if frame.perspective {
             FINE as i32
         } else {
-            16 + 20
+            16 + FINE_PLACE as i32
         };
         // A pixel is 2^12 sub-pixels, which are mantissa / 2^31 * 2^exponent.
         let up = SUBPX_BITS as i32 + 31 - frame.lens.exponent + fraction;
@@ -174,7 +178,8 @@ impl RayCamera {
         if !self.perspective {
             let mut origin = moved(self.eye, self.sight, self.near as i32);
             for (c, at) in origin.iter_mut().zip(at) {
-                *c = c.saturating_add((at >> 20) as i32);
+                let aside = (at >> FINE_PLACE).clamp(i32::MIN.into(), i32::MAX.into());
+                *c = c.saturating_add(aside as i32);
             }
             let far = self.far.saturating_sub(self.near);
             return Cast {

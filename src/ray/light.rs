@@ -2,7 +2,7 @@
 
 use super::actors::RayActors;
 use super::ray::{FAR, Ray, between, moved};
-use super::sequence::{rotation, sample};
+use super::sequence::on_light;
 use super::surface::Surface;
 use crate::light::{Parts, ShortUnit, WorldLights, WorldSums};
 use crate::math::{Scaled, Unit3, mul_high, short_dot, unit};
@@ -98,8 +98,8 @@ pub(super) fn shine(
         for which in 0..samples {
             let from = match &lamp.area {
                 Some(area) => {
-                    let index = which + seed.sample * samples;
-                    place_in(lamp.position, area, index, seed.pixel)
+                    let place = on_light(which, samples, seed.sample, seed.pixel);
+                    place_in(lamp.position, area, place)
                 }
                 None => lamp.position,
             };
@@ -185,11 +185,9 @@ fn share(factor: u32, samples: u32) -> u32 {
         .unwrap_or(factor)
 }
 
-fn place_in(middle: [i32; 3], area: &LightArea, index: u32, pixel: [u32; 2]) -> [i32; 3] {
-    let ([u, v], [ru, rv]) = (sample(index), rotation(pixel));
+fn place_in(middle: [i32; 3], area: &LightArea, place: [u32; 2]) -> [i32; 3] {
     // From the middle, 2^-32.
-    let centred = |c: u32| c.wrapping_sub(1 << 31) as i32;
-    let parts = [centred(u.wrapping_add(ru)), centred(v.wrapping_add(rv))];
+    let parts = place.map(|c| c.wrapping_sub(1 << 31) as i32);
     let mut place = middle;
     for (edge, part) in area.edges.iter().zip(parts) {
         for (c, e) in place.iter_mut().zip(edge) {

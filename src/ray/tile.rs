@@ -3,7 +3,7 @@
 use super::camera::RayCamera;
 use super::frame::{RayStats, Seen, Watch};
 use super::light::Seed;
-use super::sequence::sample;
+use super::sequence::in_pixel;
 use super::trace::{Light, Shown, Tracer, lookup};
 use crate::fog::{self, FogDepths};
 use crate::frame::Target;
@@ -119,10 +119,11 @@ impl<W: Watch> Drawing<'_, '_, W> {
         number: u32,
         count: usize,
     ) -> Option<(Shown, u16)> {
+        // In 2^-16 pixels.
+        let from_middle = |c: u32| c.wrapping_sub(1 << 31) as i32 >> 16;
         let offset = match number {
             0 => [0; 2],
-            // From the middle, in 2^-16 pixels.
-            _ => sample(number).map(|c| c.wrapping_sub(1 << 31) as i32 >> 16),
+            _ => in_pixel(number, self.tracer.settings.samples.into()).map(from_middle),
         };
         let cast = camera.cast(column.into(), row.into(), offset);
         self.stats.rays += 1;

@@ -112,11 +112,11 @@ impl Tracer<'_> {
 
     /// The part of a light's sample that gets to a point whose normal is turned to it.
     fn unshaded(&self, spot: &Spot, from: usize, sample: &Sample) -> f64 {
-        if spot.face_normal.dot(sample.towards) <= 0.0 {
-            return 0.0;
-        }
         if !self.how.shadows {
             return 1.0;
+        }
+        if spot.face_normal.dot(sample.towards) <= 0.0 {
+            return 0.0;
         }
         self.counters.shadow();
         let line = Line {

@@ -1,0 +1,346 @@
+//! The ray caster against rays in f64, where rays are easily wrong: many balls, thin
+//! walls, light along a surface, surfaces that touch, tiny and huge worlds. `cargo xtask
+//! accuracy` holds every scene of the repository to the same limits.
+
+use fixel_reference::Report;
+use fixel_scene::{
+    Actor, Attenuation, Background, ColourFormat, Cull, Light, LightKind, Material, Mesh,
+    Primitive, Projection, Scene, Shading,
+};
+use fixel_tests::root;
+
+fn compare(scene: &Scene) -> Report {
+    let baked = fixel_bake::bake_for_rays(scene).unwrap_or_else(|e| panic!("{e}"));
+    let core = baked.scene().expect("baked a moment ago");
+    let options = fixel_host::Options::of(&core);
+    let (drawn, _) = fixel_host::ray_frame(&baked, &core, &options);
+    let at = fixel_reference::Options {
+        width: drawn.width,
+        height: drawn.height,
+        frame: 0,
+    };
+    let truth = fixel_reference::render_rays(scene, at);
+    fixel_reference::compare(&truth, &drawn).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// At most 0.01 % of the pixels (and always one) show another surface, depth is within a
+/// unit on 99.9 %, at most 0.1 % of the lit pixels (and always one) have a wrong shadow,
+/// and no group of them.
+fn hold(what: &str, scene: &Scene) -> Report {
+    let report = compare(scene);
+    let pixels = f64::from(report.width * report.height);
+    let others = report.coverage_mismatch_px + report.visible_mismatch_px;
+    let wrong = report.shadow_mismatch_px as f64;
+    let good = others as f64 <= (pixels / 10_000.0).max(1.0)
+        && report.depth_within_1_percent >= 99.9
+        && wrong <= (report.lit_px as f64 / 1000.0).max(1.0)
+        && report.shadow_mismatch_clusters == 0;
+    let Report {
+        covered_px,
+        lit_px,
+        shadow_mismatch_clusters,
+        depth_within_1_percent,
+        depth_max_lsb,
+        rgb_psnr_db,
+        ..
+    } = report;
+    let text = format!(
+        "{what}: {covered_px} covered, {lit_px} lit; {others} other surfaces, {wrong} wrong \
+         shadows in {shadow_mismatch_clusters} clusters, depth {depth_max_lsb:.2} at most, \
+         {depth_within_1_percent:.2} % within 1, {rgb_psnr_db:.1} dB"
+    );
+    eprintln!("{text}");
+    assert!(good, "{text}; {:?}", report.mismatches);
+    report
+}
+
+/// Some scene of the repository, for its display and all else that is not said here.
+fn empty() -> Scene {
+    let path = root().join("scenes/ray/bunny_shadow.toml");
+    let mut scene = fixel_scene::load(&path).unwrap_or_else(|e| panic!("{e}"));
+    scene.actors.clear();
+    scene.meshes.clear();
+    scene.materials.clear();
+    scene.animation = Default::default();
+    scene.ray = Default::default();
+    scene.display.colour = ColourFormat::Rgb888;
+    (scene.display.width, scene.display.height) = (160, 120);
+    scene
+}
+
+/// A ball or a rectangle of a scene of the repository, in another size.
+fn primitive(wanted: Primitive) -> Mesh {
+    let path = root().join("scenes/ray/ellipsoids.toml");
+    let scene = fixel_scene::load(&path).unwrap_or_else(|e| panic!("{e}"));
+    let factors = |mesh: &Mesh| match (mesh.primitive?, wanted) {
+        (Primitive::Sphere { radius: own }, Primitive::Sphere { radius }) => {
+            Some([radius / own; 3])
+        }
+        (Primitive::Rectangle { width: w, depth: d }, Primitive::Rectangle { width, depth }) => {
+            Some([width / w, 1.0, depth / d])
+        }
+        _ => None,
+    };
+    let mut found = scene
+        .meshes
+        .iter()
+        .filter_map(|mesh| Some((mesh, factors(mesh)?)));
+    let (mesh, factors) = found.next().expect("it has both");
+    let place = |p: &[f64; 3]| std::array::from_fn(|i| p[i] * factors[i]);
+    Mesh {
+        name: format!("{wanted:?}"),
+        positions: mesh.positions.iter().map(place).collect(),
+        primitive: Some(wanted),
+        ..mesh.clone()
+    }
+}
+
+fn ball(radius: f64) -> Mesh {
+    primitive(Primitive::Sphere { radius })
+}
+
+fn rectangle(width: f64, depth: f64) -> Mesh {
+    primitive(Primitive::Rectangle { width, depth })
+}
+
+/// A box from -1/2 to 1/2.
+fn cube() -> Mesh {
+    let path = root().join("scenes/meshes/cube.obj");
+    fixel_scene::load_mesh(&path).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn add(scene: &mut Scene, mesh: Mesh, position: [f64; 3]) -> &mut Actor {
+    let known = scene.meshes.iter().position(|m| *m == mesh);
+    let mesh = known.unwrap_or_else(|| {
+        scene.meshes.push(mesh);
+        scene.meshes.len() - 1
+    });
+    let index = scene.actors.len();
+    if scene.materials.is_empty() {
+        scene.materials.push(Material {
+            ambient: 0.1,
+            shading: Shading::Phong,
+            ..Material::default()
+        });
+    }
+    scene.actors.push(Actor {
+        name: format!("actor {index}"),
+        mesh,
+        position,
+        ..Actor::default()
+    });
+    scene.actors.last_mut().expect("one was added")
+}
+
+fn far_light(direction: [f64; 3]) -> Light {
+    Light {
+        kind: LightKind::Directional { direction },
+        colour: [1.0; 3],
+        intensity: 0.8,
+        edges: None,
+    }
+}
+
+fn lamp(position: [f64; 3]) -> Light {
+    const EVEN: Attenuation = [1.0, 0.0, 0.0];
+    Light {
+        kind: LightKind::Point {
+            position,
+            attenuation: EVEN,
+        },
+        ..far_light([0.0, 0.0, 1.0])
+    }
+}
+
+/// Xorshift; numbers from 0 to 1.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next()
+    }
+
+    fn place(&mut self, low: f64, high: f64) -> [f64; 3] {
+        [0; 3].map(|_| self.between(low, high))
+    }
+}
+
+/// Balls and ellipsoids, some within each other, over a ground, in three kinds of light.
+fn balls(seed: u64) -> Scene {
+    let mut scene = empty();
+    let mut random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    for n in 0..14 {
+        let radius = random.between(0.1, 1.6).powi(2);
+        let position = random.place(-4.0, 4.0);
+        let actor = add(&mut scene, ball(radius), position);
+        if n % 3 == 0 {
+            actor.scale = random.place(0.3, 1.5);
+            actor.shear = [random.between(-0.4, 0.4), 0.0, 0.0, 0.2, 0.0, 0.0];
+            actor.orientation = random.place(-180.0, 180.0);
+        }
+    }
+    add(&mut scene, rectangle(40.0, 30.0), [0.0, -3.0, 0.0]).orientation = [3.0, 20.0, -4.0];
+    scene.camera.position = [3.0, 3.0, 17.0];
+    scene.camera.focal_point = [0.0, -0.5, 0.0];
+    scene.camera.clipping_range = [1.0, 80.0];
+    scene.lights = vec![far_light([0.7, -1.0, -0.4]), lamp([-4.0, 7.0, 6.0])];
+    scene
+}
+
+#[test]
+fn balls_and_ellipsoids() {
+    for seed in 1..5 {
+        hold(&format!("balls {seed}"), &balls(seed));
+    }
+    let mut scene = balls(5);
+    scene.camera.projection = Projection::Parallel {
+        parallel_scale: 5.0,
+    };
+    hold("balls by parallel rays", &scene);
+}
+
+/// The same world, a thousandth or many times as large, or far away from the origin.
+#[test]
+fn tiny_and_huge_worlds() {
+    for factor in [1e-3, 0.037, 21.0, 1e4] {
+        for aside in [0.0, 3e4] {
+            let mut scene = balls(7);
+            let bunny = root().join("scenes/meshes/bunny.obj");
+            let mesh = fixel_scene::load_mesh(&bunny).unwrap_or_else(|e| panic!("{e}"));
+            add(&mut scene, mesh, [1.0, -2.5, 4.0]).scale = [0.35; 3];
+            let moved = |p: [f64; 3]| p.map(|c| (c + aside) * factor);
+            for actor in &mut scene.actors {
+                actor.position = moved(actor.position);
+                actor.scale = actor.scale.map(|s| s * factor);
+            }
+            for light in &mut scene.lights {
+                if let LightKind::Point { position, .. } = &mut light.kind {
+                    *position = moved(*position);
+                }
+            }
+            let camera = &mut scene.camera;
+            camera.position = moved(camera.position);
+            camera.focal_point = moved(camera.focal_point);
+            camera.clipping_range = camera.clipping_range.map(|w| w * factor);
+            hold(&format!("{factor} times, {aside} aside"), &scene);
+        }
+    }
+}
+
+/// Light at one degree, along a ground, over a ball and over a mesh: the ground is lit
+/// all over, but for shadows.
+#[test]
+fn light_along_a_surface() {
+    for degrees in [0.3_f64, 1.0, 5.0] {
+        let mut scene = empty();
+        add(&mut scene, rectangle(60.0, 60.0), [0.0, 0.0, 0.0]);
+        add(&mut scene, ball(2.0), [3.5, 2.0, 0.0]);
+        let bunny = root().join("scenes/meshes/bunny.obj");
+        let mesh = fixel_scene::load_mesh(&bunny).unwrap_or_else(|e| panic!("{e}"));
+        add(&mut scene, mesh, [-3.0, 0.0, 0.0]).scale = [0.4; 3];
+        scene.camera.position = [2.0, 6.0, 14.0];
+        scene.camera.focal_point = [0.0, 1.0, 0.0];
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        scene.lights = vec![far_light([cos * 0.6, -sin, -cos * 0.8])];
+        hold(&format!("light at {degrees} degrees"), &scene);
+    }
+}
+
+/// A closed room of walls a thousandth of its size: no light comes in, and none is lost
+/// of the lamp inside.
+#[test]
+fn thin_walls_neither_leak_nor_shade_themselves() {
+    for thickness in [0.1, 0.01, 0.002] {
+        let mut scene = empty();
+        let wall = [4.0, 4.0, thickness];
+        for (position, orientation) in [
+            ([0.0, 0.0, -2.0], [0.0, 0.0, 0.0]),
+            ([0.0, 0.0, 2.0], [0.0, 0.0, 0.0]),
+            ([-2.0, 0.0, 0.0], [0.0, 90.0, 0.0]),
+            ([2.0, 0.0, 0.0], [0.0, 90.0, 0.0]),
+            ([0.0, -2.0, 0.0], [90.0, 0.0, 0.0]),
+            ([0.0, 2.0, 0.0], [90.0, 0.0, 0.0]),
+        ] {
+            let actor = add(&mut scene, cube(), position);
+            (actor.scale, actor.orientation) = (wall, orientation);
+        }
+        scene.camera.position = [0.6, 0.4, 1.8];
+        scene.camera.focal_point = [-0.3, -0.2, -2.0];
+        scene.camera.projection = Projection::Perspective { view_angle: 75.0 };
+        scene.camera.clipping_range = [0.05, 20.0];
+        scene.lights = vec![
+            far_light([0.3, -1.0, -0.4]),
+            lamp([9.0, 7.0, -8.0]),
+            far_light([1.0, 0.01, 0.0]),
+        ];
+        let dark = hold(&format!("walls of {thickness}, light outside"), &scene);
+        assert_eq!(dark.lit_px, 0);
+        scene.lights = vec![lamp([0.5, 1.2, 0.3])];
+        let lit = hold(&format!("walls of {thickness}, a lamp inside"), &scene);
+        assert!(lit.lit_px as f64 > 0.97 * lit.covered_px as f64);
+    }
+}
+
+/// Boxes that stand on the ground and on each other, a ball that touches it, and one
+/// half in it.
+#[test]
+fn surfaces_that_touch() {
+    let mut scene = empty();
+    add(&mut scene, rectangle(30.0, 30.0), [0.0; 3]);
+    for (position, turn) in [
+        ([-2.5, 0.5, 0.0], 0.0),
+        ([-2.5, 1.5, 0.0], 30.0),
+        ([0.0, 0.5, -2.0], 15.0),
+    ] {
+        add(&mut scene, cube(), position).orientation = [0.0, turn, 0.0];
+    }
+    add(&mut scene, ball(1.0), [1.5, 1.0, 0.5]);
+    add(&mut scene, ball(1.0), [3.5, 0.0, -1.0]);
+    scene.camera.position = [1.0, 4.0, 10.0];
+    scene.camera.focal_point = [0.3, 0.6, 0.0];
+    scene.lights = vec![lamp([-5.0, 6.0, 4.0]), far_light([-0.8, -0.7, -0.5])];
+    hold("surfaces that touch", &scene);
+}
+
+/// A mirror that is seen from both sides and glass with a wall on every side, in colour.
+#[test]
+fn mirrors_and_glass() {
+    let mut scene = balls(11);
+    scene.materials.extend([
+        Material {
+            name: "mirror".into(),
+            reflectivity: 0.9,
+            cull: Cull::None,
+            ..scene.materials[0].clone()
+        },
+        Material {
+            name: "glass".into(),
+            opacity: 0.1,
+            refractive_index: 1.5,
+            ..scene.materials[0].clone()
+        },
+        Material {
+            name: "red".into(),
+            diffuse_colour: [0.9, 0.2, 0.1],
+            ambient_colour: [0.9, 0.2, 0.1],
+            ..scene.materials[0].clone()
+        },
+    ]);
+    for (i, actor) in scene.actors.iter_mut().enumerate() {
+        actor.material = i % 4;
+    }
+    scene.display.background = Background::Gradient {
+        top: [0.1, 0.3, 0.8],
+        bottom: [0.8, 0.8, 0.6],
+    };
+    scene.ray.depth = 5;
+    let report = hold("mirrors and glass", &scene);
+    assert!(report.rgb_psnr_db >= 40.0);
+}
