@@ -1,5 +1,6 @@
 //! `fixel animate`.
 
+use crate::args::Tested;
 use crate::progress::Progress;
 use crate::{args, input, output};
 use anyhow::{Context, Result, bail, ensure};
@@ -20,6 +21,7 @@ enum Kind {
 struct Film<'a> {
     scene: &'a Scene<'a>,
     options: Options,
+    renderer: Tested,
     frames: u32,
     fps: u16,
     progress: Progress,
@@ -44,7 +46,11 @@ pub fn run(args: &args::Animate) -> Result<()> {
             name()
         );
     };
-    let baked = input.bake().with_context(name)?;
+    let baked = match args.renderer {
+        Tested::Raster => input.bake(),
+        Tested::Ray => input.bake_for_rays(),
+    };
+    let baked = baked.with_context(name)?;
     let scene = baked.scene()?;
     let mut options = Options::of(&scene);
     if let Some(size) = args.size {
@@ -53,6 +59,7 @@ pub fn run(args: &args::Animate) -> Result<()> {
     let film = Film {
         scene: &scene,
         options,
+        renderer: args.renderer,
         frames,
         fps: args.fps,
         progress: Progress::new("frames", frames.into()),
@@ -93,7 +100,10 @@ impl Film<'_> {
             frame,
             ..self.options
         };
-        let planes = fixel_host::render(self.scene, &options);
+        let planes = match self.renderer {
+            Tested::Raster => fixel_host::render(self.scene, &options),
+            Tested::Ray => fixel_host::render_rays(self.scene, &options),
+        };
         let (rgb, _) = fixel_host::picture(self.scene, &planes);
         let plain = !self.scene.output().is_resolved();
         let indexed = plain.then(|| (planes.index, fixel_host::colours(self.scene, frame)));

@@ -129,6 +129,9 @@ pub struct Animate {
     /// How many frames [default: until the animation starts again].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: Option<u32>,
+    /// How to render.
+    #[arg(long, value_enum, default_value_t)]
+    pub renderer: Tested,
     /// Frames a second.
     #[arg(long, value_name = "N", default_value_t = 25,
           value_parser = clap::value_parser!(u16).range(1..=100))]

@@ -109,6 +109,12 @@ fn summary(report: &Report) -> String {
             report.texel_max, report.texel_mean
         );
     }
+    if report.lit_px > 0 {
+        text += &format!(
+            "shadows     {} of {} lit px differ, {} clusters\n",
+            report.shadow_mismatch_px, report.lit_px, report.shadow_mismatch_clusters
+        );
+    }
     for m in &report.mismatches {
         text += &format!(
             "  {:?} at {}, {}: truth {:?}, frame {:?}\n",
@@ -133,6 +139,7 @@ mod tests {
             "level_within_2_percent": 80.0, "rgb_psnr_true_covered_db": 47.0,
             "depth_max_at": [3, 2], "level_max_at": null,
             "texel_max": 0.5, "texel_mean": 0.125,
+            "lit_px": 12, "shadow_mismatch_px": 5, "shadow_mismatch_clusters": 1,
             "mismatches": [{
                 "x": 5, "y": 1, "kind": "extra", "truth": null, "frame": [0, 7],
                 "truth_depth_lsb": 0.0, "frame_depth_lsb": 99
@@ -172,6 +179,7 @@ mod tests {
             "999.00 dB, 48.50 dB",
             "93.75 % equal",
             "max 0.500, mean 0.1250 texels",
+            "5 of 12 lit px differ, 1 clusters",
             "Extra at 5, 1: truth None, frame Some([0, 7])",
         ] {
             assert!(text.contains(wanted), "{wanted} in {text}");

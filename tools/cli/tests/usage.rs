@@ -63,9 +63,7 @@ fn what_is_not_there_yet_says_so() {
     for words in [
         "view scene.toml",
         "estimate scene.toml --board pico",
-        "render scene.toml --renderer ray",
         "render scene.toml --display st7789-240x240",
-        "compare scene.toml --renderer ray",
     ] {
         let line = folder.fixel(words).fails();
         assert!(line.contains("is not there yet"), "{words}: {line}");

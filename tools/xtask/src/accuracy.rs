@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use fixel_bake::BakeError;
 use fixel_reference::Report;
-use fixel_scene::{ColourFormat, Scene};
+use fixel_scene::{ColourFormat, Representation, Scene};
 use serde_json::{Map, Value, json};
 
 use crate::problem::{Problem, Result};
@@ -23,6 +23,32 @@ const DEPTH_WITHIN_1_PERCENT: f64 = 99.9;
 /// display with 8 bits a channel: 16-bit colour alone costs all but 42 dB.
 const PSNR_DB: f64 = 45.0;
 
+/// Of the ray caster: most pixels that show another surface, as a share of the picture,
+/// and always one pixel.
+const RAY_SURFACE_PERCENT: f64 = 0.01;
+/// Most pixels with a wrong shadow, as a share of the lit ones, and always one.
+const RAY_SHADOW_PERCENT: f64 = 0.1;
+/// Least PSNR against the truth through the same palette.
+const RAY_PSNR_DB: f64 = 40.0;
+
+/// The core's two renderers.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Renderer {
+    Raster,
+    Ray,
+}
+
+impl Renderer {
+    const ALL: [Self; 2] = [Self::Raster, Self::Ray];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Raster => "raster",
+            Self::Ray => "ray",
+        }
+    }
+}
+
 /// A scene's figures.
 struct Compared {
     report: Report,
@@ -32,24 +58,33 @@ struct Compared {
 }
 
 /// Compares every scene in `scenes/`, `scenes/bench/` and `scenes/ray/`, frame 0, at its own
-/// size. Gives `{"scene": {"raster": {...}}}` with the fields of `fixel
+/// size, by both renderers. Gives `{"scene": {"raster": {...}, "ray": {...}}}` with the fields of `fixel
 /// compare --json`, and `rgb888_psnr_true_db`, the colour on a display with 8
 /// bits a channel. Each scene is held to limits.
 pub fn run(tally: &mut Tally) -> Result<Value> {
     let files = files()?;
-    let compared = parallel::map(&files, |file| compare(file));
+    let jobs: Vec<(&Path, Renderer)> = files
+        .iter()
+        .flat_map(|file| Renderer::ALL.map(|renderer| (file.as_path(), renderer)))
+        .collect();
+    let compared = parallel::map(&jobs, |&(file, renderer)| compare(file, renderer));
     let mut all = Map::new();
-    for (file, compared) in files.iter().zip(compared) {
+    for ((file, renderer), compared) in jobs.into_iter().zip(compared) {
         let name = file.file_stem().unwrap_or_default().to_string_lossy();
-        let what = format!("accuracy of {name}");
-        let Some(compared) = tally.need(&what, compared) else {
+        let what = format!("accuracy of {name} by {}", renderer.name());
+        let Some(Some(compared)) = tally.need(&what, compared) else {
             continue;
         };
-        tally.check(&what, limits(&compared));
+        let limits = match renderer {
+            Renderer::Raster => limits(&compared),
+            Renderer::Ray => ray_limits(&compared.report),
+        };
+        tally.check(&what, limits);
         let report = serde_json::to_value(&compared.report);
         let mut report = report.map_err(|error| error.to_string())?;
         report["rgb888_psnr_true_db"] = json!(compared.rgb888_psnr_db);
-        all.insert(name.into(), json!({ "raster": report }));
+        let scene = all.entry(name).or_insert_with(|| json!({}));
+        scene[renderer.name()] = report;
     }
     Ok(all.into())
 }
@@ -74,38 +109,90 @@ fn files() -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-fn compare(file: &Path) -> Result<Compared> {
+/// `None`: the renderer draws nothing of the scene.
+fn compare(file: &Path, renderer: Renderer) -> Result<Option<Compared>> {
     let mut scene = fixel_scene::load(file).map_err(|error| error.to_string())?;
+    if renderer == Renderer::Ray && !has_surfaces(&scene) {
+        return Ok(None);
+    }
     let in_file = |problem: Problem| match problem {
         Problem::Missing(text) => Problem::Missing(format!("{}: {text}", file.display())),
         Problem::Failed(text) => Problem::Failed(format!("{}: {text}", file.display())),
     };
-    let report = report(&scene).map_err(in_file)?;
+    let report = report(&scene, renderer).map_err(in_file)?;
     scene.display.colour = ColourFormat::Rgb888;
-    let rgb888 = self::report(&scene).map_err(in_file)?;
-    Ok(Compared {
+    let rgb888 = self::report(&scene, renderer).map_err(in_file)?;
+    Ok(Some(Compared {
         report,
         rgb888_psnr_db: rgb888.rgb_psnr_true_db,
         one_material: scene.materials.len() == 1,
-    })
+    }))
 }
 
-fn report(scene: &Scene) -> Result<Report> {
-    let baked = fixel_bake::bake(scene).map_err(|error| match error {
+/// Whether there is anything that rays meet.
+fn has_surfaces(scene: &Scene) -> bool {
+    let mut looks = scene.actors.iter().map(|actor| actor.look.representation);
+    looks.any(|look| look == Representation::Surface)
+}
+
+fn report(scene: &Scene, renderer: Renderer) -> Result<Report> {
+    let baked = match renderer {
+        Renderer::Raster => fixel_bake::bake(scene),
+        Renderer::Ray => fixel_bake::bake_for_rays(scene),
+    };
+    let baked = baked.map_err(|error| match error {
         BakeError::NotYet { .. } => Problem::Missing(error.to_string()),
         _ => Problem::Failed(error.to_string()),
     })?;
     let core = fixel::Scene::parse(baked.bytes()).map_err(|error| error.to_string())?;
     let options = fixel_host::Options::of(&core);
-    let (frame, _) = fixel_host::frame(&baked, &core, &options);
     let at = fixel_reference::Options {
         width: options.width.into(),
         height: options.height.into(),
         frame: options.frame,
     };
-    let truth = fixel_reference::render(scene, at);
+    let (frame, truth) = match renderer {
+        Renderer::Raster => (
+            fixel_host::frame(&baked, &core, &options).0,
+            fixel_reference::render(scene, at),
+        ),
+        Renderer::Ray => (
+            fixel_host::ray_frame(&baked, &core, &options).0,
+            fixel_reference::render_rays(scene, at),
+        ),
+    };
     let report = fixel_reference::compare(&truth, &frame).map_err(|error| error.to_string())?;
     Ok(report)
+}
+
+fn ray_limits(report: &Report) -> Result<()> {
+    let mut broken = Vec::new();
+    let share = |count: usize, percent: f64| (count as f64 * percent / 100.0).max(1.0);
+    let pixels = (report.width * report.height) as usize;
+    let others = report.coverage_mismatch_px + report.visible_mismatch_px;
+    if others as f64 > share(pixels, RAY_SURFACE_PERCENT) {
+        broken.push(format!("another surface on {others} of {pixels} pixels"));
+    }
+    if report.depth_within_1_percent < DEPTH_WITHIN_1_PERCENT {
+        let percent = report.depth_within_1_percent;
+        broken.push(format!("depth is within 1 unit on {percent:.2} % only"));
+    }
+    let (wrong, lit) = (report.shadow_mismatch_px, report.lit_px);
+    if wrong as f64 > share(lit, RAY_SHADOW_PERCENT) {
+        broken.push(format!("wrong shadows on {wrong} of {lit} lit pixels"));
+    }
+    if report.shadow_mismatch_clusters > 0 {
+        let clusters = report.shadow_mismatch_clusters;
+        broken.push(format!("{clusters} clusters of wrong shadows"));
+    }
+    if report.rgb_psnr_db < RAY_PSNR_DB {
+        broken.push(format!("colour at {:.1} dB only", report.rgb_psnr_db));
+    }
+    if broken.is_empty() {
+        Ok(())
+    } else {
+        Err(broken.join("; ").into())
+    }
 }
 
 fn limits(compared: &Compared) -> Result<()> {
@@ -140,41 +227,59 @@ fn limits(compared: &Compared) -> Result<()> {
     }
 }
 
-/// The README's table.
+/// The README's tables.
 pub fn markdown(figures: &Value) -> String {
-    let scenes = figures.as_object().into_iter().flatten();
-    let rows: Vec<Vec<String>> = scenes
-        .map(|(name, figures)| {
-            let field = |field: &str| &figures["raster"][field];
-            let whole = |name| field(name).as_u64().unwrap_or_default().to_string();
-            let real = |name| format!("{:.2}", field(name).as_f64().unwrap_or_default());
-            vec![
-                name.clone(),
-                whole("covered_px"),
-                whole("coverage_mismatch_px"),
-                whole("visible_mismatch_px"),
-                real("depth_max_lsb"),
-                real("depth_within_1_percent"),
-                real("level_max"),
-                real("rgb_psnr_true_db"),
-                real("rgb888_psnr_true_db"),
-            ]
-        })
-        .collect();
-    let head = [
-        "scene",
-        "covered px",
-        "coverage differs, px",
-        "other triangle, px",
-        "depth, max of 65535",
-        "within 1, %",
-        "light, max of 255",
-        "colour, dB",
-        "with 8 bits a channel",
-    ];
+    type Field = (&'static str, fn(&Value) -> String);
+    fn whole(value: &Value) -> String {
+        value.as_u64().unwrap_or_default().to_string()
+    }
+    fn real(value: &Value) -> String {
+        format!("{:.2}", value.as_f64().unwrap_or_default())
+    }
+    let of = |renderer: Renderer, columns: &[(&str, Field)]| {
+        let scenes = figures.as_object().into_iter().flatten();
+        let scenes = scenes.filter_map(|(name, of)| Some((name, of.get(renderer.name())?)));
+        let cells = |(name, report): (&String, &Value)| {
+            let fields = columns
+                .iter()
+                .map(|(_, (field, text))| text(&report[field]));
+            std::iter::once(name.clone()).chain(fields).collect()
+        };
+        let head: Vec<&str> = std::iter::once("scene")
+            .chain(columns.iter().map(|(title, _)| *title))
+            .collect();
+        table(&head, &scenes.map(cells).collect::<Vec<_>>())
+    };
+    let raster = of(
+        Renderer::Raster,
+        &[
+            ("covered px", ("covered_px", whole)),
+            ("coverage differs, px", ("coverage_mismatch_px", whole)),
+            ("other triangle, px", ("visible_mismatch_px", whole)),
+            ("depth, max of 65535", ("depth_max_lsb", real)),
+            ("within 1, %", ("depth_within_1_percent", real)),
+            ("light, max of 255", ("level_max", real)),
+            ("colour, dB", ("rgb_psnr_true_db", real)),
+            ("with 8 bits a channel", ("rgb888_psnr_true_db", real)),
+        ],
+    );
+    let ray = of(
+        Renderer::Ray,
+        &[
+            ("covered px", ("covered_px", whole)),
+            ("coverage differs, px", ("coverage_mismatch_px", whole)),
+            ("other surface, px", ("visible_mismatch_px", whole)),
+            ("depth within 1, %", ("depth_within_1_percent", real)),
+            ("lit px", ("lit_px", whole)),
+            ("wrong shadow, px", ("shadow_mismatch_px", whole)),
+            ("in clusters", ("shadow_mismatch_clusters", whole)),
+            ("colour, dB", ("rgb_psnr_db", real)),
+            ("unquantised, dB", ("rgb888_psnr_true_db", real)),
+        ],
+    );
     format!(
-        "Against the f64 reference; `cargo xtask accuracy`.\n\n{}",
-        table(&head, &rows)
+        "Against the f64 reference; `cargo xtask accuracy`. The rasteriser:\n\n{raster}\n\
+         The ray caster, against rays in f64 (shadows, mirrors and glass included):\n\n{ray}"
     )
 }
 
@@ -198,6 +303,32 @@ mod tests {
             rgb888_psnr_db: psnr,
             one_material: true,
         }
+    }
+
+    #[test]
+    fn each_limit_of_rays_can_be_broken() {
+        let good = Report {
+            lit_px: 1000,
+            rgb_psnr_db: 40.0,
+            ..compared(0, 99.9, 45.0).report
+        };
+        let holds = |change: fn(&mut Report)| {
+            let mut report = good.clone();
+            change(&mut report);
+            ray_limits(&report).is_ok()
+        };
+        assert!(holds(
+            |r| (r.visible_mismatch_px, r.coverage_mismatch_px) = (3, 4)
+        ));
+        assert!(!holds(|r| (
+            r.visible_mismatch_px,
+            r.coverage_mismatch_px
+        ) = (4, 4)));
+        assert!(!holds(|r| r.depth_within_1_percent = 99.8));
+        assert!(holds(|r| r.shadow_mismatch_px = 1));
+        assert!(!holds(|r| r.shadow_mismatch_px = 2));
+        assert!(!holds(|r| r.shadow_mismatch_clusters = 1));
+        assert!(!holds(|r| r.rgb_psnr_db = 39.9));
     }
 
     #[test]
