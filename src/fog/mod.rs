@@ -62,6 +62,32 @@ impl FogDepths {
     }
 }
 
+/// Fog before single pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Haze {
+    /// How much there is.
+    pub depths: FogDepths,
+    /// Its colour.
+    pub colour: [u8; 3],
+}
+
+impl Haze {
+    /// A colour behind the fog that is before a depth, in 1/64 of a level; `row` is that
+    /// of a pixel nearby, and becomes that of this one.
+    #[inline(always)]
+    pub fn over(&self, mut colour: [u16; 3], depth: Depth, row: &mut usize) -> [u16; 3] {
+        *row = self.depths.row(depth, *row);
+        // Of 1024, from none to all in 31 steps.
+        let part = (*row * 33 + (*row >> 4)) as i32;
+        for (c, fog) in colour.iter_mut().zip(self.colour) {
+            let own = i32::from(*c);
+            let change = ((i32::from(fog) << 6) - own) * part;
+            *c = (own + ((change + (1 << 9)) >> 10)) as u16;
+        }
+        colour
+    }
+}
+
 /// Fogs all that was drawn. Of `table`, a row says what each index becomes: the
 /// first is no fog, the last is all fog.
 pub fn apply(target: &mut Target<'_>, table: &[[u8; 256]; FOG_ROWS], depths: &FogDepths) {

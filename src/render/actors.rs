@@ -1,7 +1,8 @@
 //! Viewports of a frame and matrices of its actors, made when first asked for.
 
 use super::lines;
-use crate::fog::FogDepths;
+use super::paint::Paint;
+use crate::fog::{FogDepths, Haze};
 use crate::scene::{Fog, PlacedViewport, Pose, Scene};
 use crate::view::{ActorView, ViewFrame};
 
@@ -71,6 +72,18 @@ impl<'a> Actors<'a> {
         self.viewport(viewport);
         let depths = || FogDepths::new(&self.view, &fog.distances);
         self.fog.get_or_insert_with(depths)
+    }
+
+    /// The fog before a viewport's blended surfaces.
+    pub(super) fn haze<P: Paint>(&mut self, viewport: u16) -> Option<Haze> {
+        if !(cfg!(feature = "fog") && P::FOGGED) {
+            return None;
+        }
+        let fog = self.scene.fog()?;
+        Some(Haze {
+            depths: *self.fog(viewport, &fog),
+            colour: fog.colour,
+        })
     }
 
     /// The matrices of actor `index` in a viewport; `None` without a slot.

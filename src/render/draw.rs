@@ -7,6 +7,7 @@ use super::stats::FrameStats;
 use super::surface::draw_surface_meshlet;
 use super::triangles::{Draw, Triangle, triangles};
 use super::visible_list::Entry;
+use crate::fog::Haze;
 use crate::frame::Target;
 use crate::raster::{Drawn, Sides, draw_triangle};
 use crate::scene::{Cull, Meshlet, Scene, Shading};
@@ -17,7 +18,7 @@ use crate::view::{ActorView, round_level};
 pub(super) fn draw_meshlet<P: Paint>(
     paint: &P,
     scene: &Scene<'_>,
-    view: &ActorView,
+    (view, haze): (&ActorView, Option<&Haze>),
     entry: &Entry,
     cache: &mut MeshletCache<'_>,
     target: &mut Target<'_>,
@@ -42,6 +43,7 @@ pub(super) fn draw_meshlet<P: Paint>(
         number: entry.meshlet(),
         meshlet: &meshlet,
         transformed,
+        haze,
     };
     if !matches!(entry.pass(), Pass::Surface | Pass::Blended) {
         // Without the feature there is no such pass.
@@ -68,6 +70,8 @@ pub(super) struct Part<'a> {
     pub number: u32,
     pub meshlet: &'a Meshlet,
     pub transformed: &'a TransformedMeshlet,
+    /// Of a blended one, the fog before it.
+    pub haze: Option<&'a Haze>,
 }
 
 impl Part<'_> {

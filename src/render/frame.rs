@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use super::actors::Actors;
 use super::draw::draw_meshlet;
+use super::lines::Pass;
 use super::meshlet_cache::MeshletCache;
 use super::paint::{Paint, Shaded};
 use super::scratch::Workspace;
@@ -122,6 +123,11 @@ pub fn render_rows_with<P: Paint, D: Display>(
                 //    spans.
                 let viewport = entry.viewport();
                 viewports.reach(viewport, &mut actors, &mut target);
+                let mut haze = None;
+                if cfg!(feature = "transparency") && entry.pass() == Pass::Blended {
+                    viewports.fog(viewport, &mut actors, &mut target);
+                    haze = actors.haze::<P>(viewport);
+                }
                 let rect = actors.viewport(viewport).rect;
                 let Some(view) = actors.get(viewport, entry.actor) else {
                     continue;
@@ -129,7 +135,7 @@ pub fn render_rows_with<P: Paint, D: Display>(
                 draw_meshlet(
                     paint,
                     scene,
-                    view,
+                    (view, haze.as_ref()),
                     entry,
                     &mut cache,
                     &mut target.part(&rect),

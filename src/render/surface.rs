@@ -7,9 +7,10 @@ use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
 use super::triangles::{Draw, Triangle, triangles};
 use crate::clip::WEIGHT_BITS;
+use crate::fog::Haze;
 use crate::frame::Target;
 use crate::light::{Parts, Patch, SurfaceLights, face_normal, sum};
-use crate::math::FineLevel;
+use crate::math::{Depth, FineLevel};
 use crate::raster::{
     Corner, Drawn, MOST_ATTRIBUTES, Run, Sides, SurfaceKind, Values, draw_surface, draw_triangle,
 };
@@ -162,7 +163,15 @@ impl<P: Paint> Draw for Surfaces<'_, '_, P> {
             }
             Through::Blend(blend) => {
                 mixed = move |run: &mut Run<'_>| {
-                    blend_run(paint, &blend, way, surface, sampler, face(), run);
+                    blend_run(
+                        paint,
+                        (&blend, part.haze),
+                        way,
+                        surface,
+                        sampler,
+                        face(),
+                        run,
+                    );
                 };
                 &mixed
             }
@@ -276,7 +285,7 @@ fn draw_run<P: Paint>(
 #[inline(never)]
 fn blend_run<P: Paint>(
     paint: &P,
-    blend: &Blend<'_>,
+    (blend, haze): (&Blend<'_>, Option<&Haze>),
     way: Way<'_>,
     surface: &Surface<'_>,
     sampler: Option<&Sampler<'_>>,
@@ -287,6 +296,7 @@ fn blend_run<P: Paint>(
     let Way::Colours(colours) = way else { return };
     let [left, row] = run.place;
     let textured = sampler.map(|sampler| (sampler, sampler.path(run)));
+    let ((z, dz), mut fog_row) = (run.depth, 0);
     run.draw::<MOST_ATTRIBUTES>(false, |number, values, behind| {
         let light = surface.light(values, face);
         let (lit, texel) = match &textured {
@@ -296,6 +306,13 @@ fn blend_run<P: Paint>(
                 let lit = on_texel(light, sampler.colour(path, at)?);
                 (lit, path.in_picture(at))
             }
+        };
+        let lit = match haze {
+            Some(haze) => {
+                let depth = z.wrapping_add_signed(dz.wrapping_mul(number)) >> 16;
+                haze.over(lit, depth as Depth, &mut fog_row)
+            }
+            None => lit,
         };
         let pixel = Pixel {
             lookup: Lookup::Colours(colours),

@@ -13,6 +13,8 @@ pub(super) struct Viewports<'a, P> {
     scene: &'a Scene<'a>,
     /// The first one that is not begun.
     next: u16,
+    /// Whether there is fog already over the last one that is begun.
+    fogged: bool,
 }
 
 impl<'a, P: Paint> Viewports<'a, P> {
@@ -30,6 +32,7 @@ impl<'a, P: Paint> Viewports<'a, P> {
             paint,
             scene,
             next: 0,
+            fogged: false,
         }
     }
 
@@ -37,8 +40,9 @@ impl<'a, P: Paint> Viewports<'a, P> {
     pub(super) fn reach(&mut self, number: u16, actors: &mut Actors<'_>, target: &mut Target<'_>) {
         while self.next <= number {
             if let Some(before) = self.next.checked_sub(1) {
-                self.end(before, actors, target);
+                self.fog(before, actors, target);
             }
+            self.fogged = false;
             if self.next < self.scene.viewport_count() {
                 self.begin(actors, target);
             }
@@ -46,11 +50,13 @@ impl<'a, P: Paint> Viewports<'a, P> {
         }
     }
 
-    /// Fog over a viewport's finished pixels.
-    fn end(&self, viewport: u16, actors: &mut Actors<'_>, target: &mut Target<'_>) {
-        if !(cfg!(feature = "fog") && P::FOGGED) {
+    /// Fog over a viewport's pixels, once: before the first of its blended surfaces, which
+    /// bring their own, or at its end.
+    pub(super) fn fog(&mut self, viewport: u16, actors: &mut Actors<'_>, target: &mut Target<'_>) {
+        if !(cfg!(feature = "fog") && P::FOGGED) || self.fogged {
             return;
         }
+        self.fogged = true;
         if let (Some(fog), Some(table)) = (self.scene.fog(), self.scene.fog_table()) {
             let rect = actors.viewport(viewport).rect;
             let depths = actors.fog(viewport, &fog);

@@ -112,6 +112,7 @@ fn no_capacity_and_no_band_height_changes_a_byte() {
         "lines_markers_text",
         "screen_door",
         "blend",
+        "blend_fog",
     ] {
         let (_, baked) = load(&root().join(format!("scenes/{name}.toml")));
         let scene = baked.scene().expect("baked a moment ago");

@@ -102,7 +102,7 @@ fn compare(scene: &Scene) -> Report {
 /// Colour through the same palette to 40 dB.
 #[test]
 fn what_shows_through_is_the_references() {
-    for name in ["screen_door", "blend", "alpha_test"] {
+    for name in ["screen_door", "blend", "blend_fog", "alpha_test"] {
         let report = compare(&scene(name));
         let decibels = report.rgb_psnr_db;
         assert!(decibels >= 40.0, "{name}: {decibels} dB");
@@ -120,14 +120,15 @@ fn what_cannot_be_drawn_is_refused() {
         },
         colour: [0.5; 3],
     });
+    assert!(fixel_bake::bake(&scene).is_ok());
+    scene.actors[0].look.depth_test = false;
     assert_eq!(
         refused(&scene),
-        "material `pane 0`: blended in fog (expected transparency = \"screen_door\") \
-         is not supported yet"
+        "actor `pane 0`: depth_test = false in fog with blended materials (expected \
+         depth_test = true) is not supported yet"
     );
-    scene.materials[0].transparency = Transparency::ScreenDoor;
-    assert!(fixel_bake::bake(&scene).is_ok());
     scene.actors[0].look.representation = Representation::Wireframe;
+    scene.fog = None;
     assert_eq!(
         refused(&scene),
         "actor `pane 0`: lines or points of a material of opacity 0.5 (expected opacity = 1) \

@@ -15,11 +15,13 @@ const NEXT: usize = 16;
 /// Refuses what the renderer cannot do with transparent materials.
 pub(crate) fn possible(scene: &Scene) -> Result<(), BakeError> {
     let not_yet = |what| Err(BakeError::NotYet { what });
-    let hazy = scene.materials.iter().find(|m| blended(m));
-    if let (Some(_), Some(material)) = (&scene.fog, hazy) {
+    let hazy = scene.fog.is_some() && scene.materials.iter().any(blended);
+    let over = scene.actors.iter().find(|actor| !actor.look.depth_test);
+    if let (true, Some(actor)) = (hazy, over) {
         return not_yet(format!(
-            "material `{}`: blended in fog (expected transparency = \"screen_door\")",
-            material.name
+            "actor `{}`: depth_test = false in fog with blended materials (expected \
+             depth_test = true)",
+            actor.name
         ));
     }
     for actor in &scene.actors {

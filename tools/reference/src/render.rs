@@ -1,7 +1,7 @@
 //! The scene to the truth, pixel by pixel.
 
 use crate::bvh::{Bvh, bounds};
-use crate::fog::fog_part;
+use crate::fog::{fog_part, fogged};
 use crate::geometry::{Face, Geometry, Through};
 use crate::light::Lit;
 use crate::overlay;
@@ -137,7 +137,9 @@ impl Seen<'_> {
         };
         let hit = self.hit(geometry, view, scene, at);
         Some(Layer {
-            colour: hit.colour,
+            colour: scene.fog.map_or(hit.colour, |fog| {
+                fogged(&fog, hit.colour.into(), hit.fog).into()
+            }),
             opacity,
             depth_lsb: hit.depth_lsb,
         })

@@ -50,7 +50,7 @@ pub struct Hit {
 /// A blended surface before what is seen at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layer {
-    /// Its own colour, each channel in 0..=1.
+    /// Its own colour with the fog before it, each channel in 0..=1.
     pub colour: Rgb,
     /// How much of it is seen, 0..=1.
     pub opacity: f64,

@@ -27,7 +27,7 @@ pub const RAY_PARITY: [&str; 0] = [];
 /// `scenes/`. Clipping, slivers, a parallel camera and more actors than the
 /// firmware keeps matrices for are among them; chains of parents, key frames and
 /// camera moves.
-pub const PARITY: [&str; 25] = [
+pub const PARITY: [&str; 26] = [
     "teapot",
     "bunny",
     "suzanne",
@@ -53,6 +53,7 @@ pub const PARITY: [&str; 25] = [
     "alpha_test",
     "screen_door",
     "blend",
+    "blend_fog",
 ];
 
 /// The scene whose RAM is held to a limit, and one of another mesh that must
