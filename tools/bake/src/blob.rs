@@ -10,9 +10,9 @@ use crate::instance::instances;
 use crate::light::{light, material};
 use crate::look::looks;
 use crate::mesh::{Parts, Source, Sources};
-use crate::palette::tables;
+use crate::palette::{Sample, tables};
 use crate::placement::placed;
-use crate::ray::{Rays, mixes, rays};
+use crate::ray::{Rays, mixes, seen};
 use crate::records::{Instances, actors, header};
 use crate::texture::textures;
 use crate::texturing::{Texturing, padded};
@@ -85,7 +85,7 @@ impl Baked {
 /// If the scene has more of something than the format holds, a number out of
 /// its range, or asks for what the renderer cannot do yet.
 pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
-    bake_with(scene, false)
+    bake_with(scene, None)
 }
 
 /// Bakes a scene for the ray caster and the rasteriser.
@@ -93,10 +93,25 @@ pub fn bake(scene: &Scene) -> Result<Baked, BakeError> {
 /// # Errors
 /// As [`bake`].
 pub fn bake_for_rays(scene: &Scene) -> Result<Baked, BakeError> {
-    bake_with(scene, true)
+    let first = bake_with(scene, Some(&[]))?;
+    // Which colours there are to choose entries for is seen only when rays are cast.
+    let seen = first.scene().map_or(Vec::new(), |core| {
+        let chosen = !core.colours().is_empty() && scene.palette.fixed.is_empty();
+        let frames = scene.animation.length().unwrap_or(1);
+        if chosen {
+            seen(&core, frames)
+        } else {
+            Vec::new()
+        }
+    });
+    if seen.is_empty() {
+        return Ok(first);
+    }
+    bake_with(scene, Some(&seen))
 }
 
-fn bake_with(scene: &Scene, for_rays: bool) -> Result<Baked, BakeError> {
+/// `rays`: colours that rays have been seen to bring back; none: not for rays.
+fn bake_with(scene: &Scene, rays: Option<&[Sample]>) -> Result<Baked, BakeError> {
     at_most("actors", scene.actors.len(), 65535)?;
     at_most("materials", scene.materials.len(), 65535)?;
     at_most("lights with a direction", scene.lights.len(), LIGHTS)?;
@@ -104,7 +119,10 @@ fn bake_with(scene: &Scene, for_rays: bool) -> Result<Baked, BakeError> {
     let units = Units::new(scene);
     let textures = textures(scene);
     let texturing = Texturing::new(&textures.textures)?;
-    let tables = tables(scene, &textures.bases, for_rays && mixes(scene));
+    let tables = match rays {
+        Some(seen) => tables(scene, &textures.bases, mixes(scene), seen),
+        None => tables(scene, &textures.bases, false, &[]),
+    };
     let bases = textures.bases.len();
     let shades = tables.texture_shades.iter();
     let texture_shades: Vec<Vec<u8>> = shades.map(|table| padded(table, bases)).collect();
@@ -154,8 +172,8 @@ fn bake_with(scene: &Scene, for_rays: bool) -> Result<Baked, BakeError> {
     let (tracks, keys) = tracks(scene, &units, &placed)?;
     let fogs: Vec<_> = scene.fog.iter().map(|f| fog::fog(f, &units)).collect();
 
-    let rays = if for_rays {
-        let mut rays = rays(scene, &units, &instances, &mut parts)?;
+    let rays = if rays.is_some() {
+        let mut rays = crate::ray::rays(scene, &units, &instances, &mut parts)?;
         // Those of lines and points.
         rays.optics.resize(materials.len(), Optics::PLAIN);
         rays

@@ -37,6 +37,10 @@ const GRADIENT_STEPS: usize = 256;
 /// How much of a picture is background, beside 1 for all surfaces.
 const BACKGROUND_WEIGHT: f64 = 0.25;
 
+/// How much surfaces by themselves count where it is known what the picture has, beside
+/// 1 for that: other frames may show them.
+const BESIDE_SEEN: f64 = 1.0 / 16.0;
+
 /// Everything that turns light into palette indices.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tables {
@@ -80,8 +84,9 @@ pub(crate) enum Path {
 pub(crate) const TEXTURE_LEVELS: usize = 64;
 
 /// `bases` are the base colours of the scene's textures; `mixed` says that colours of
-/// several surfaces are mixed, so that all materials have to go by colour.
-pub(crate) fn tables(scene: &Scene, bases: &[[u8; 3]], mixed: bool) -> Tables {
+/// several surfaces are mixed, so that all materials have to go by colour; `seen` are
+/// colours that the picture has, if that is known.
+pub(crate) fn tables(scene: &Scene, bases: &[[u8; 3]], mixed: bool, seen: &[Sample]) -> Tables {
     let background = background_colours(&scene.display.background);
     let own = |viewport: &Viewport| viewport.background.as_ref().map(background_colours);
     let own: Vec<Vec<Rgb>> = scene
@@ -102,11 +107,17 @@ pub(crate) fn tables(scene: &Scene, bases: &[[u8; 3]], mixed: bool) -> Tables {
         })
         .collect();
     let textured = scene.materials.iter().any(|m| m.texture.is_some());
-    let samples = if textured || ways.contains(&Way::Colour) || scene.fog.is_some() {
+    let mut samples = if textured || ways.contains(&Way::Colour) || scene.fog.is_some() {
         surface::samples(scene)
     } else {
         Vec::new()
     };
+    if !seen.is_empty() {
+        for sample in &mut samples {
+            sample.weight *= BESIDE_SEEN;
+        }
+        samples.extend(seen);
+    }
     let palette = palette(scene, &backgrounds, &samples);
     let nearest = Nearest::new(&palette);
     let spread = spread(&samples, &palette, &nearest);

@@ -180,7 +180,7 @@ fn a_coloured_scene_finds_its_colours_in_the_palette() {
     for (most, limit) in [(256, 0.04), (32, 0.09), (8, 0.3)] {
         let mut scene = scene.clone();
         scene.palette.colours = most;
-        let tables = tables(&scene, &[], false);
+        let tables = tables(&scene, &[], false, &[]);
         assert!(tables.palette.len() <= most as usize);
         assert!(tables.palette.len() * 10 >= most as usize * 9);
         assert_eq!(tables.paths, [Path::Colour]);
@@ -206,7 +206,7 @@ fn a_coloured_scene_finds_its_colours_in_the_palette() {
 fn the_table_of_colours_names_the_nearest_entry() {
     let mut scene = scene();
     scene.palette.fixed = vec![[0, 0, 0], [255, 255, 255], [255, 0, 0], [0, 0, 200]];
-    let tables = tables(&scene, &[], false);
+    let tables = tables(&scene, &[], false, &[]);
     assert_eq!(tables.palette, scene.palette.fixed);
     let at = |r: usize, g: usize, b: usize| tables.colours[r << 8 | g << 4 | b];
     assert_eq!([at(0, 0, 0), at(15, 15, 15), at(15, 0, 0)], [0, 1, 2]);
@@ -224,7 +224,7 @@ fn asked_for_entries_come_first() {
     for mut scene in [scene(), grey()] {
         scene.palette.colours = 20;
         scene.palette.ramps = vec![ramp];
-        let palette = tables(&scene, &[], false).palette;
+        let palette = tables(&scene, &[], false, &[]).palette;
         assert!((15..=20).contains(&palette.len()), "{}", palette.len());
         assert_eq!((palette[0], palette[4]), ([0; 3], [255; 3]));
         // Even steps of lightness, hence of its cube root.
@@ -233,7 +233,7 @@ fn asked_for_entries_come_first() {
             assert!((l - lightness).abs() < 0.01 && a.abs() < 0.01 && b.abs() < 0.01);
         }
         scene.palette.colours = 5;
-        assert_eq!(tables(&scene, &[], false).palette, palette[..5]);
+        assert_eq!(tables(&scene, &[], false, &[]).palette, palette[..5]);
     }
 }
 
@@ -249,7 +249,7 @@ fn a_light_without_bound_takes_all_levels() {
     scene.materials[0].diffuse = 0.0;
     scene.materials[0].emission = 0.5;
     assert_eq!(reachable_levels(&scene.materials[0], &scene), (127, 128));
-    assert_eq!(tables(&scene, &[], false).paths, [Path::Level(0)]);
+    assert_eq!(tables(&scene, &[], false, &[]).paths, [Path::Level(0)]);
 }
 
 /// The sphere in grey light, the upper half of it red, the lower half blue.
@@ -309,7 +309,7 @@ fn texels_have_their_shades() {
     assert!(of(0).min(of(2)) * 8 > samples.len());
 
     let bases = [[0, 0, 255], [255, 0, 0]];
-    let tables = tables(&scene, &bases, false);
+    let tables = tables(&scene, &bases, false, &[]);
     assert_eq!(tables.paths, [Path::Textured(0)]);
     assert!(tables.colours.is_empty() && tables.shades.is_empty());
     let [shades] = &tables.texture_shades[..] else {
@@ -346,5 +346,9 @@ fn lines_have_their_colours_too() {
     lines.look.representation = fixel_scene::Representation::Wireframe;
     scene.actors.push(lines);
     assert!(surface::samples(&scene).iter().any(|s| s.colour == green));
-    assert!(tables(&scene, &[], false).palette.contains(&[0, 255, 0]));
+    assert!(
+        tables(&scene, &[], false, &[])
+            .palette
+            .contains(&[0, 255, 0])
+    );
 }

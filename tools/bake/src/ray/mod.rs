@@ -2,6 +2,7 @@
 //! runs of a meshlet's triangles, and exact balls in place of their triangles.
 
 mod hierarchy;
+mod seen;
 
 use fixel::scene::{LightArea, Node, Optics, RaySettings, Shape};
 use fixel_scene::{Actor, Material, Primitive, Scene};
@@ -13,6 +14,7 @@ use crate::instance::Instance;
 use crate::mesh::Parts;
 use crate::units::{Units, unit_q30};
 use hierarchy::{Box3, Item};
+pub(crate) use seen::seen;
 
 /// The ray caster's sections; all empty for a scene that is only rasterised.
 #[derive(Default)]
