@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use super::fill::fill;
 use crate::math::{Depth, Rect};
 
 /// Buffers for a band: a palette index and a depth for each pixel. A band as
@@ -133,14 +134,16 @@ impl Target<'_> {
         let (width, stride) = (usize::from(self.width), usize::from(self.stride).max(1));
         let rows = self.indices.chunks_mut(stride);
         for (y, row) in (self.top..self.end).zip(rows) {
-            row.get_mut(..width).unwrap_or_default().fill(background(y));
+            let index = background(y);
+            let word = u32::from_ne_bytes([index; 4]);
+            fill(row.get_mut(..width).unwrap_or_default(), index, word);
         }
         if width == stride {
-            self.depths.fill(0);
+            fill(self.depths, 0, 0);
             return;
         }
         for row in self.depths.chunks_mut(stride) {
-            row.get_mut(..width).unwrap_or_default().fill(0);
+            fill(row.get_mut(..width).unwrap_or_default(), 0, 0);
         }
     }
 

@@ -3,5 +3,6 @@
 //! number formats.
 
 mod band;
+mod fill;
 
 pub use band::{Band, BandError, BandRows, Target};

@@ -52,13 +52,54 @@ impl Rgb565Table {
 
     /// The colour of each index, in the byte order of panels; as many as both
     /// slices hold.
+    ///
+    /// Four at a time: where all four are as the last ones were, as in a background, their
+    /// colours are, too, so that a pixel takes two instructions on a Cortex-M, else
+    /// five.
     #[inline]
     pub fn resolve(&self, indices: &[u8], pixels: &mut [u16]) {
-        for (pixel, index) in pixels.iter_mut().zip(indices) {
-            #[expect(clippy::indexing_slicing, reason = "a byte indexes 256 entries")]
-            {
-                *pixel = self.table[usize::from(*index)];
-            }
+        let count = indices.len().min(pixels.len());
+        let indices = indices.get(..count).unwrap_or_default();
+        let (before, words, after) = bytemuck::pod_align_to::<u8, u32>(indices);
+        let (first, rest) = pixels.split_at_mut(before.len().min(count));
+        let (middle, last) = rest.split_at_mut((4 * words.len()).min(rest.len()));
+        self.one_by_one(before, first);
+        match bytemuck::try_cast_slice_mut(middle) {
+            Ok(middle) => self.by_words(words, middle),
+            // Pixels of which four do not begin on a word where four indices do.
+            Err(_) => self.one_by_one(bytemuck::cast_slice(words), middle),
         }
+        self.one_by_one(after, last);
+    }
+
+    /// Not inlined: where the table is a static, its address would be made anew for each
+    /// word.
+    #[inline(never)]
+    fn by_words(&self, words: &[u32], pixels: &mut [[u32; 2]]) {
+        let four = |word: u32| {
+            let colours = word.to_ne_bytes().map(|index| self.colour(index));
+            bytemuck::cast::<[u16; 4], [u32; 2]>(colours)
+        };
+        let mut known = 0;
+        let mut colours = four(known);
+        for (pixels, word) in pixels.iter_mut().zip(words) {
+            if *word != known {
+                known = *word;
+                colours = four(known);
+            }
+            *pixels = colours;
+        }
+    }
+
+    fn one_by_one(&self, indices: &[u8], pixels: &mut [u16]) {
+        for (pixel, index) in pixels.iter_mut().zip(indices) {
+            *pixel = self.colour(*index);
+        }
+    }
+
+    #[inline(always)]
+    fn colour(&self, index: u8) -> u16 {
+        #[expect(clippy::indexing_slicing, reason = "a byte indexes 256 entries")]
+        self.table[usize::from(index)]
     }
 }

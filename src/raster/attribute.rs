@@ -28,6 +28,17 @@ impl Attribute {
         Self { at_row, gradient }
     }
 
+    /// From its `value` at a vertex to a place `x, y` sub-pixels from there, at most 16
+    /// pixels.
+    #[inline(always)]
+    pub(super) fn beside(value: u32, gradient: Gradient, [x, y]: [i32; 2]) -> Self {
+        let change = part(gradient.x, x).wrapping_add(part(gradient.y, y));
+        Self {
+            at_row: value.wrapping_add(1 << 15).wrapping_add_signed(change),
+            gradient,
+        }
+    }
+
     /// The same from a vertex as it was before rounding.
     pub(super) fn unrounded(
         value: u32,
@@ -70,8 +81,8 @@ impl Attribute {
     }
 }
 
-/// The change over `distance` sub-pixels, at most half a pixel: the product
-/// rounded down, in two 32-bit halves.
+/// The change over `distance` sub-pixels, at most 64 pixels: the product rounded down,
+/// in two 32-bit halves.
 #[inline(always)]
 fn part(gradient: i32, distance: i32) -> i32 {
     const LOW: i32 = (1 << SUBPX_BITS) - 1;

@@ -16,6 +16,7 @@ mod perspective;
 mod run;
 mod scan;
 mod sliver;
+mod small;
 mod span;
 mod surface;
 mod surface_planes;

@@ -7,6 +7,7 @@
 //! shading", 1991).
 
 use super::attribute::Attribute;
+use super::triangle::Seen;
 use crate::math::{Depth, Level, SUBPX_BITS, mul_high, reciprocal};
 use crate::vertex::ScreenVertex;
 
@@ -17,9 +18,9 @@ const RUN: usize = 16;
 /// 8 pixels: by at most the levels' difference times (r - 1) / 4, with r the
 /// ratio of the depths. In smaller triangles it may be off, in few pixels.
 #[inline(always)]
-pub(super) fn shows(triangle: [&ScreenVertex; 3]) -> bool {
-    let [a, b, c] = triangle.map(|v| v.x.to_bits());
-    if a.max(b).max(c) - a.min(b).min(c) < 8 << SUBPX_BITS {
+pub(super) fn shows(triangle: [&ScreenVertex; 3], seen: &Seen) -> bool {
+    let [[left, _], [right, _]] = seen.bounds;
+    if right - left < 8 << SUBPX_BITS {
         return false;
     }
     let [a, b, c] = triangle.map(|v| v.z.to_bits() >> 4);

@@ -43,6 +43,27 @@ pub(super) fn flat(indices: &mut [u8], depths: &mut [Depth], mut z: u32, dz: i32
     }
 }
 
+/// [`flat`] for a few pixels.
+#[inline(always)]
+pub(super) fn short_flat(indices: &mut [u8], depths: &mut [Depth], mut z: u32, dz: i32, index: u8) {
+    for (pixel, depth) in indices.iter_mut().zip(depths) {
+        let here = (z >> 16) as Depth;
+        if here > *depth {
+            *depth = here;
+            *pixel = index;
+        }
+        z = z.wrapping_add_signed(dz);
+        keep_rolled();
+    }
+}
+
+/// Keeps the compiler from unrolling a loop: where it runs two or three times, what
+/// goes before an unrolled one costs more than the loop.
+#[inline(always)]
+fn keep_rolled() {
+    core::hint::black_box(());
+}
+
 /// Depth alone.
 #[inline(always)]
 pub(super) fn depth(depths: &mut [Depth], mut z: u32, dz: i32) {
@@ -72,5 +93,29 @@ pub(super) fn gouraud(
         }
         z = z.wrapping_add_signed(dz);
         level = level.wrapping_add_signed(dl);
+    }
+}
+
+/// [`gouraud`] for a few pixels.
+#[inline(always)]
+pub(super) fn short_gouraud(
+    indices: &mut [u8],
+    depths: &mut [Depth],
+    (mut z, dz): (u32, i32),
+    (mut level, dl): (u32, i32),
+    shades: &[u8; 256],
+) {
+    for (pixel, depth) in indices.iter_mut().zip(depths) {
+        let here = (z >> 16) as Depth;
+        if here > *depth {
+            *depth = here;
+            #[expect(clippy::indexing_slicing, reason = "eight bits index 256 entries")]
+            {
+                *pixel = shades[((level >> 16) & 0xff) as usize];
+            }
+        }
+        z = z.wrapping_add_signed(dz);
+        level = level.wrapping_add_signed(dl);
+        keep_rolled();
     }
 }

@@ -29,18 +29,18 @@ pub fn draw_surface(
     corners: &mut dyn FnMut() -> [Corner; 3],
     shade: &dyn Fn(&mut Run<'_>),
 ) -> Drawn {
-    let (area, rows) = match shown(target, triangle, sides) {
-        Ok(shown) => shown,
+    let seen = match shown(target, triangle, sides) {
+        Ok(seen) => seen,
         Err(drawn) => return drawn,
     };
     let [a, b, c] = triangle;
     let [ka, kb, kc] = corners();
-    let (sorted, area) = sort([(a, ka), (b, kb), (c, kc)], area);
+    let (sorted, area) = sort([(a, ka), (b, kb), (c, kc)], seen.area);
     let corners = Corners::new(sorted.each_ref().map(|(_, corner)| corner), kind);
     let shape = Shape {
         sorted: sorted.map(|(v, _)| v),
         area,
-        rows,
+        rows: seen.rows,
         perspective: corners.perspective,
     };
     let [top, ..] = shape.sorted;

@@ -4,6 +4,7 @@ use super::attributes::Attributes;
 use super::perspective;
 use super::scan::{Shape, Span, scan};
 use super::sliver;
+use super::small::{fill_small, is_small};
 use super::span::{self, Fill};
 use crate::frame::Target;
 use crate::math::{HALF_PX, SUBPX_BITS};
@@ -48,11 +49,21 @@ pub(super) fn first_centre(v: i32) -> i32 {
     (v + (HALF_PX - 1)) >> SUBPX_BITS
 }
 
-/// Pixel rows or columns whose centres lie between the ends, held to `least..most`.
+/// The least and the most of three.
 #[inline(always)]
-fn centres([a, b, c]: [i32; 3], least: i32, most: i32) -> (i32, i32) {
-    let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-    (first_centre(low).max(least), first_centre(high).min(most))
+fn range([a, b, c]: [i32; 3]) -> (i32, i32) {
+    (a.min(b).min(c), a.max(b).max(c))
+}
+
+/// A triangle of which something may be seen.
+#[derive(Clone, Copy)]
+pub(super) struct Seen {
+    /// Twice the signed area in sub-pixels squared, not 0; exact.
+    pub area: i64,
+    /// Rows of the target in which it may have pixels, half-open.
+    pub rows: (i32, i32),
+    /// Least and most x, y of the vertices, sub-pixels.
+    pub bounds: [[i32; 2]; 2],
 }
 
 /// Draws a triangle if it shows one of `sides`; `fill` is asked for only then.
@@ -65,26 +76,29 @@ pub fn draw_triangle<'f>(
     perspective: bool,
     fill: impl FnOnce() -> Fill<'f>,
 ) -> Drawn {
-    let (area, rows) = match shown(target, triangle, sides) {
-        Ok(shown) => shown,
+    let seen = match shown(target, triangle, sides) {
+        Ok(seen) => seen,
         Err(drawn) => return drawn,
     };
-    fill_triangle(target, triangle, area, rows, perspective, fill());
+    fill_triangle(target, triangle, &seen, perspective, fill());
     Drawn::Filled
 }
 
-/// The doubled area and the rows of a triangle that shows one of `sides` and may
-/// have pixels in the target.
+/// A triangle that shows one of `sides` and may have pixels in the target.
 #[inline(always)]
 pub(super) fn shown(
     target: &Target<'_>,
     triangle: [&ScreenVertex; 3],
     sides: Sides,
-) -> Result<(i64, (i32, i32)), Drawn> {
+) -> Result<Seen, Drawn> {
     // Many triangles of a fine mesh lie between pixel centres, and in a band
     // most lie in other rows.
     let (clip_top, clip_end) = (i32::from(target.top), i32::from(target.end));
-    let (first, end) = centres(triangle.map(|v| v.y.to_bits()), clip_top, clip_end);
+    let (above, below) = range(triangle.map(|v| v.y.to_bits()));
+    let (first, end) = (
+        first_centre(above).max(clip_top),
+        first_centre(below).min(clip_end),
+    );
     if first >= end {
         return Err(Drawn::Missed);
     }
@@ -98,29 +112,48 @@ pub(super) fn shown(
     if !shown {
         return Err(Drawn::Away);
     }
-    let columns = centres(triangle.map(|v| v.x.to_bits()), 0, target.width.into());
-    if columns.0 >= columns.1 {
+    let (left, right) = range(triangle.map(|v| v.x.to_bits()));
+    if first_centre(left).max(0) >= first_centre(right).min(target.width.into()) {
         return Err(Drawn::Missed);
     }
-    Ok((area, (first, end)))
+    Ok(Seen {
+        area,
+        rows: (first, end),
+        bounds: [[left, above], [right, below]],
+    })
 }
 
 #[inline(never)]
 fn fill_triangle(
     target: &mut Target<'_>,
     triangle: [&ScreenVertex; 3],
-    area: i64,
-    rows: (i32, i32),
+    seen: &Seen,
     perspective: bool,
     fill: Fill<'_>,
 ) {
-    let (sorted, area) = sort(triangle.map(|v| (v, ())), area);
-    let sorted = sorted.map(|(v, ())| v);
+    let perspective =
+        perspective && matches!(fill, Fill::Gouraud(_)) && perspective::shows(triangle, seen);
+    if !perspective && is_small(seen, target) && fill_small(target, triangle, seen, fill) {
+        return;
+    }
+    fill_large(target, triangle, seen, perspective, fill);
+}
+
+/// A triangle of any size.
+#[inline(never)]
+fn fill_large(
+    target: &mut Target<'_>,
+    triangle: [&ScreenVertex; 3],
+    seen: &Seen,
+    perspective: bool,
+    fill: Fill<'_>,
+) {
+    let (sorted, area) = sort(triangle.map(|v| (v, ())), seen.area);
     let shape = Shape {
-        sorted,
+        sorted: sorted.map(|(v, ())| v),
         area,
-        rows,
-        perspective: perspective && matches!(fill, Fill::Gouraud(_)) && perspective::shows(sorted),
+        rows: seen.rows,
+        perspective,
     };
     let columns = columns(&shape);
     let sliver = |span: Span<'_>| sliver::span(span, &shape, fill);
@@ -175,15 +208,15 @@ fn columns(shape: &Shape<'_>) -> impl Fn(&Span<'_>) -> i32 + Copy + use<> {
 /// Draws a triangle's depth alone if it shows one of `sides`: no index changes.
 #[inline(never)]
 pub fn draw_depth(target: &mut Target<'_>, triangle: [&ScreenVertex; 3], sides: Sides) -> Drawn {
-    let (area, rows) = match shown(target, triangle, sides) {
-        Ok(shown) => shown,
+    let seen = match shown(target, triangle, sides) {
+        Ok(seen) => seen,
         Err(drawn) => return drawn,
     };
-    let (sorted, area) = sort(triangle.map(|v| (v, ())), area);
+    let (sorted, area) = sort(triangle.map(|v| (v, ())), seen.area);
     let shape = Shape {
         sorted: sorted.map(|(v, ())| v),
         area,
-        rows,
+        rows: seen.rows,
         perspective: false,
     };
     let columns = columns(&shape);
