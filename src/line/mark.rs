@@ -35,10 +35,10 @@ pub fn draw_mark(
 ) {
     const HALF_PIXEL_BITS: u32 = SUBPX_BITS - 1;
     let [ox, oy] = mark.offset.map(i32::from);
-    let left = (point.x.to_bits() + (ox << HALF_PIXEL_BITS)) >> SUBPX_BITS;
-    let top = (point.y.to_bits() + (oy << HALF_PIXEL_BITS)) >> SUBPX_BITS;
-    let depth = rule.depth(point.z.to_bits() as i32, 4);
-    let index = fill.index(|| (usize::from(point.level.to_bits()) + 32) >> 6);
+    let left = (point.x().to_bits() + (ox << HALF_PIXEL_BITS)) >> SUBPX_BITS;
+    let top = (point.y().to_bits() + (oy << HALF_PIXEL_BITS)) >> SUBPX_BITS;
+    let depth = rule.depth(point.z().to_bits() as i32, 4);
+    let index = fill.index(|| (usize::from(point.level().to_bits()) + 32) >> 6);
     let rows = mark.bits.chunks_exact(row_bytes(mark.width).max(1));
     for (y, row) in (top..top + i32::from(mark.height)).zip(rows) {
         if y < i32::from(target.top) {

@@ -55,7 +55,7 @@ pub fn draw_line(target: &mut Target<'_>, line: &Line<'_>, rule: &DepthRule, fil
     if begin >= stop {
         return;
     }
-    let depths = ends.map(|v| (v.z.to_bits() as i32) << (DEPTH_BITS - 4));
+    let depths = ends.map(|v| (v.z().to_bits() as i32) << (DEPTH_BITS - 4));
     let depth = Ramp::new(depths, &walk.length, lead);
     let mut levels = Levels::new(&walk, ends, line.perspective, lead);
     let mut minor = Minor::new(&walk, begin, line.width);
@@ -78,7 +78,7 @@ pub fn draw_line(target: &mut Target<'_>, line: &Line<'_>, rule: &DepthRule, fil
 /// of a mesh are in other bands.
 #[inline(always)]
 fn in_rows(target: &Target<'_>, line: &Line<'_>) -> bool {
-    let [a, b] = line.vertices.map(|v| v.y.to_bits());
+    let [a, b] = line.vertices.map(|v| v.y().to_bits());
     let off = (i32::from(line.width) + 1) << SUBPX_BITS;
     let (top, end) = (i32::from(target.top), i32::from(target.end));
     a.max(b) >= (top << SUBPX_BITS) - off && a.min(b) <= (end << SUBPX_BITS) + off
@@ -107,7 +107,7 @@ impl Walk {
     /// The walk and the ends in its order; `None` if no pixel is on it.
     fn new<'a>(line: &Line<'a>) -> Option<(Self, [&'a ScreenVertex; 2])> {
         let [a, b] = line.vertices;
-        let [mut from, mut to] = [a, b].map(|v| [v.x.to_bits(), v.y.to_bits()]);
+        let [mut from, mut to] = [a, b].map(|v| [v.x().to_bits(), v.y().to_bits()]);
         let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
         let major = usize::from(dy.abs() > dx.abs());
         if major == 1 {
@@ -241,12 +241,12 @@ struct Levels {
 
 impl Levels {
     fn new(walk: &Walk, ends: [&ScreenVertex; 2], perspective: bool, lead: i32) -> Self {
-        let levels = ends.map(|v| i32::from(v.level.to_bits()));
+        let levels = ends.map(|v| i32::from(v.level().to_bits()));
         let fixed = levels.map(|level| level << (LEVEL_BITS - 6));
         let [a, b] = levels;
         let in_space = (perspective && a != b).then(|| {
             // 14 bits of level and 16 of depth.
-            let [da, db] = ends.map(|v| (v.z.to_bits() >> 4).max(1) as i32);
+            let [da, db] = ends.map(|v| (v.z().to_bits() >> 4).max(1) as i32);
             let depths = [da << DEPTH_BITS, db << DEPTH_BITS];
             (
                 Ramp::new([a * da, b * db], &walk.length, lead),

@@ -17,7 +17,7 @@ pub(super) struct Attributes {
 impl Attributes {
     #[inline(always)]
     pub(super) fn depth(plane: &Plane, shape: &Shape<'_>, row: i32) -> Option<Self> {
-        let values = shape.sorted.map(|v| v.z.to_bits() as i32);
+        let values = shape.sorted.map(|v| v.z().to_bits() as i32);
         let mut z = attribute(plane, shape, values, 4, row)?;
         if z.gradient.is_steep() {
             z = steep_depth(shape, values, row)?;
@@ -30,7 +30,7 @@ impl Attributes {
 
     #[inline(always)]
     pub(super) fn depth_and_level(plane: &Plane, shape: &Shape<'_>, row: i32) -> Option<Self> {
-        let levels = shape.sorted.map(|v| i32::from(v.level.to_bits()));
+        let levels = shape.sorted.map(|v| i32::from(v.level().to_bits()));
         let level = attribute(plane, shape, levels, 6, row)?;
         Some(Self {
             level,
@@ -76,7 +76,7 @@ fn steep_depth(shape: &Shape<'_>, values: [i32; 3], row: i32) -> Option<Attribut
     let [a, b, c] = values;
     let gradient = plane.gradient(b - a, c - a, 4)?;
     let [top, ..] = shape.sorted;
-    let column = top.x.to_bits() >> SUBPX_BITS;
+    let column = top.x().to_bits() >> SUBPX_BITS;
     Some(Attribute::unrounded(
         (a as u32) << 12,
         gradient,
@@ -101,7 +101,7 @@ fn attribute(
     Some(Attribute::new(
         value,
         gradient,
-        [top.x.to_bits(), top.y.to_bits()],
+        [top.x().to_bits(), top.y().to_bits()],
         row,
     ))
 }

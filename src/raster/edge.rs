@@ -23,8 +23,8 @@ impl Edge {
     /// The edge from `upper` to `lower`, at the centre of screen row `row`.
     #[inline(always)]
     pub(super) fn new(upper: &ScreenVertex, lower: &ScreenVertex, row: i32) -> Self {
-        let (x, y) = (upper.x.to_bits(), upper.y.to_bits());
-        let (dx, height) = (lower.x.to_bits() - x, lower.y.to_bits() - y);
+        let (x, y) = (upper.x().to_bits(), upper.y().to_bits());
+        let (dx, height) = (lower.x().to_bits() - x, lower.y().to_bits() - y);
         let down = (row << SUBPX_BITS) + HALF_PX - y;
         let height = height.max(1);
         let divider = Divider::new(height);

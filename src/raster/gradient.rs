@@ -29,10 +29,10 @@ pub(super) const UNROUNDED_BITS: u32 = SUBPX_BITS + Rest::BITS;
 
 /// A vertex's place before rounding.
 fn unrounded(v: &ScreenVertex) -> Place {
-    let [x, y] = v.rest.parts();
+    let [x, y] = v.rest().parts();
     [
-        (v.x.to_bits() << Rest::BITS) + x,
-        (v.y.to_bits() << Rest::BITS) + y,
+        (v.x().to_bits() << Rest::BITS) + x,
+        (v.y().to_bits() << Rest::BITS) + y,
     ]
 }
 
@@ -43,7 +43,7 @@ pub(super) type Place = [i32; 2];
 /// sign of `area`; in a sliver it may not, and the rounded ones are given.
 pub(super) fn places(sorted: [&ScreenVertex; 3], area: i64) -> ([Place; 3], i64) {
     unrounded_places(sorted, area).unwrap_or_else(|| {
-        let wide = |v: &ScreenVertex| [v.x, v.y].map(|c| c.to_bits() << Rest::BITS);
+        let wide = |v: &ScreenVertex| [v.x(), v.y()].map(|c| c.to_bits() << Rest::BITS);
         (sorted.map(wide), area << (2 * Rest::BITS))
     })
 }
@@ -66,7 +66,7 @@ impl Plane {
     #[inline(always)]
     pub(super) fn new([a, b, c]: [&ScreenVertex; 3], area: i64) -> Self {
         Self::of(
-            [a, b, c].map(|v| [v.x.to_bits(), v.y.to_bits()]),
+            [a, b, c].map(|v| [v.x().to_bits(), v.y().to_bits()]),
             area,
             SUBPX_BITS as i32,
         )
@@ -207,7 +207,10 @@ impl SmallPlane {
         let size = if area < 0 { low.wrapping_neg() } else { low };
         // 16 bits and a sign, to 31.
         let side = |v: &ScreenVertex| {
-            let (x, y) = (v.x.to_bits() - a.x.to_bits(), v.y.to_bits() - a.y.to_bits());
+            let (x, y) = (
+                v.x().to_bits() - a.x().to_bits(),
+                v.y().to_bits() - a.y().to_bits(),
+            );
             [x << 15, y << 15]
         };
         Self {

@@ -23,9 +23,9 @@ pub(super) fn shows(triangle: [&ScreenVertex; 3], seen: &Seen) -> bool {
     if right - left < 8 << SUBPX_BITS {
         return false;
     }
-    let [a, b, c] = triangle.map(|v| v.z.to_bits() >> 4);
+    let [a, b, c] = triangle.map(|v| v.z().to_bits() >> 4);
     let (near, far) = (a.max(b).max(c), a.min(b).min(c));
-    let [a, b, c] = triangle.map(|v| u32::from(v.level.to_bits()));
+    let [a, b, c] = triangle.map(|v| u32::from(v.level().to_bits()));
     let difference = a.max(b).max(c) - a.min(b).min(c);
     // 16 and 14 bits; a level has 6 fractional bits.
     difference * (near - far) > (far << (2 + 6))
@@ -33,7 +33,7 @@ pub(super) fn shows(triangle: [&ScreenVertex; 3], seen: &Seen) -> bool {
 
 /// Level times depth at a vertex: 30 bits.
 pub(super) fn level_times_depth(v: &ScreenVertex) -> i32 {
-    ((u64::from(v.level.to_bits()) * u64::from(v.z.to_bits())) >> 4) as i32
+    ((u64::from(v.level().to_bits()) * u64::from(v.z().to_bits())) >> 4) as i32
 }
 
 /// The level, 8.16, where depth (16.16, with the half that rounds it) and level

@@ -82,7 +82,7 @@ pub(super) fn scan<A: Stepped>(
     let [top, middle, bottom] = shape.sorted;
     let (first, end) = shape.rows;
     let (width, stride) = (i32::from(target.width), i32::from(target.stride));
-    let bend = first_centre(middle.y.to_bits()).max(first).min(end);
+    let bend = first_centre(middle.y().to_bits()).max(first).min(end);
     let band_top = i32::from(target.top);
     let mut planes = Planes::Unknown;
     let mut long = Edge::new(top, bottom, first);

@@ -22,8 +22,8 @@ pub(super) fn span(span: Span<'_>, shape: &Shape<'_>, fill: Fill<'_>) {
         place: [column, row],
     } = span;
     let (places, area) = places(shape.sorted, shape.area);
-    let depth_values = shape.sorted.map(|v| i64::from(v.z.to_bits()));
-    let levels = shape.sorted.map(|v| i64::from(v.level.to_bits()));
+    let depth_values = shape.sorted.map(|v| i64::from(v.z().to_bits()));
+    let levels = shape.sorted.map(|v| i64::from(v.level().to_bits()));
     for ((pixel, depth), column) in indices.iter_mut().zip(depths).zip(column..) {
         let weights = weights(places, area, [column, row]);
         let fine_depth = mix(depth_values, weights);

@@ -46,7 +46,7 @@ pub(super) fn fill_small(
     let ([top, middle, bottom], flipped) = sort(triangle);
     // Whether the middle vertex is to the right of the long edge.
     let long_is_left = (seen.area > 0) != flipped;
-    let bend = first_centre(middle.y.to_bits()).max(first).min(end);
+    let bend = first_centre(middle.y().to_bits()).max(first).min(end);
 
     // Of each row the first pixel, and the one after the last.
     let (mut lefts, mut rights) = (Columns::default(), Columns::default());
@@ -71,8 +71,8 @@ pub(super) fn fill_small(
 
     let plane = SmallPlane::new([top, middle, bottom], seen.area, long_is_left);
     let centre = |pixel: i32, v: SubPx| (pixel << SUBPX_BITS) + HALF_PX - v.to_bits();
-    let place = [centre(column, top.x), centre(row, top.y)];
-    let [za, zb, zc] = [top, middle, bottom].map(|v| v.z.to_bits() as i32);
+    let place = [centre(column, top.x()), centre(row, top.y())];
+    let [za, zb, zc] = [top, middle, bottom].map(|v| v.z().to_bits() as i32);
     let Some(gradient) = plane.depth(zb - za, zc - za) else {
         return false;
     };
@@ -95,7 +95,7 @@ pub(super) fn fill_small(
             });
         }
         Fill::Gouraud(shades) => {
-            let [la, lb, lc] = [top, middle, bottom].map(|v| i32::from(v.level.to_bits()));
+            let [la, lb, lc] = [top, middle, bottom].map(|v| i32::from(v.level().to_bits()));
             let Some(gradient) = plane.level(lb - la, lc - la) else {
                 return false;
             };
@@ -112,15 +112,15 @@ pub(super) fn fill_small(
 #[inline(always)]
 fn sort([mut a, mut b, mut c]: [&ScreenVertex; 3]) -> ([&ScreenVertex; 3], bool) {
     let mut flipped = false;
-    if a.y > b.y {
+    if a.y() > b.y() {
         (a, b) = (b, a);
         flipped = !flipped;
     }
-    if b.y > c.y {
+    if b.y() > c.y() {
         (b, c) = (c, b);
         flipped = !flipped;
     }
-    if a.y > b.y {
+    if a.y() > b.y() {
         (a, b) = (b, a);
         flipped = !flipped;
     }
@@ -139,8 +139,8 @@ fn follow(
     if rows.is_empty() {
         return;
     }
-    let (x, y) = (upper.x.to_bits(), upper.y.to_bits());
-    let (dx, dy) = (lower.x.to_bits() - x, lower.y.to_bits() - y);
+    let (x, y) = (upper.x().to_bits(), upper.y().to_bits());
+    let (dx, dy) = (lower.x().to_bits() - x, lower.y().to_bits() - y);
     // Pixels are tried from the vertex on in the edge's direction; none on the other
     // side can be the first.
     let top = first_centre(y);

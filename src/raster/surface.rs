@@ -44,7 +44,7 @@ pub fn draw_surface(
         perspective: corners.perspective,
     };
     let [top, ..] = shape.sorted;
-    let column = top.x.to_bits() >> SUBPX_BITS;
+    let column = top.x().to_bits() >> SUBPX_BITS;
     scan(
         target,
         &shape,
@@ -60,7 +60,7 @@ pub fn draw_surface(
 #[inline(never)]
 fn sliver(span: Span<'_>, shape: &Shape<'_>, corners: &Corners, shade: &dyn Fn(&mut Run<'_>)) {
     let (places, area) = places(shape.sorted, shape.area);
-    let depths = shape.sorted.map(|v| i64::from(v.z.to_bits()));
+    let depths = shape.sorted.map(|v| i64::from(v.z().to_bits()));
     let Span {
         indices,
         depths: stored,

@@ -26,7 +26,7 @@ impl Linear {
         const FRACTION: i32 = (1 << SUBPX_BITS) - 1;
         let [x, y] = plane.wide_gradient(b.checked_sub(a)?, c.checked_sub(a)?)?;
         let [top, ..] = shape.sorted;
-        let (px, py) = (top.x.to_bits(), top.y.to_bits());
+        let (px, py) = (top.x().to_bits(), top.y().to_bits());
         let own =
             |gradient: i64, p: i32| (gradient * i64::from(HALF_PX - (p & FRACTION))) >> SUBPX_BITS;
         let rows = i64::from(row - (py >> SUBPX_BITS));

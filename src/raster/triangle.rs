@@ -33,9 +33,9 @@ pub enum Drawn {
 /// Twice the signed area in sub-pixels squared; exact.
 #[inline(always)]
 fn doubled_area([a, b, c]: [&ScreenVertex; 3]) -> i64 {
-    let (ax, ay) = (a.x.to_bits(), a.y.to_bits());
-    let (bx, by) = (b.x.to_bits() - ax, b.y.to_bits() - ay);
-    let (cx, cy) = (c.x.to_bits() - ax, c.y.to_bits() - ay);
+    let (ax, ay) = (a.x().to_bits(), a.y().to_bits());
+    let (bx, by) = (b.x().to_bits() - ax, b.y().to_bits() - ay);
+    let (cx, cy) = (c.x().to_bits() - ax, c.y().to_bits() - ay);
     let size = bx.abs() | by.abs() | cx.abs() | cy.abs();
     if cfg!(narrow_multiply) && size < 1 << 15 {
         return i64::from(bx * cy - cx * by);
@@ -94,7 +94,7 @@ pub(super) fn shown(
     // Many triangles of a fine mesh lie between pixel centres, and in a band
     // most lie in other rows.
     let (clip_top, clip_end) = (i32::from(target.top), i32::from(target.end));
-    let (above, below) = range(triangle.map(|v| v.y.to_bits()));
+    let (above, below) = range(triangle.map(|v| v.y().to_bits()));
     let (first, end) = (
         first_centre(above).max(clip_top),
         first_centre(below).min(clip_end),
@@ -112,7 +112,7 @@ pub(super) fn shown(
     if !shown {
         return Err(Drawn::Away);
     }
-    let (left, right) = range(triangle.map(|v| v.x.to_bits()));
+    let (left, right) = range(triangle.map(|v| v.x().to_bits()));
     if first_centre(left).max(0) >= first_centre(right).min(target.width.into()) {
         return Err(Drawn::Missed);
     }
@@ -198,7 +198,7 @@ fn fill_large(
 #[inline(always)]
 fn columns(shape: &Shape<'_>) -> impl Fn(&Span<'_>) -> i32 + Copy + use<> {
     let [top, ..] = shape.sorted;
-    let column = top.x.to_bits() >> SUBPX_BITS;
+    let column = top.x().to_bits() >> SUBPX_BITS;
     move |span| {
         let [left, _] = span.place;
         left - column
@@ -239,13 +239,13 @@ pub(super) fn sort<T>(
     [mut a, mut b, mut c]: [With<'_, T>; 3],
     mut area: i64,
 ) -> ([With<'_, T>; 3], i64) {
-    if a.0.y > b.0.y {
+    if a.0.y() > b.0.y() {
         (a, b, area) = (b, a, -area);
     }
-    if b.0.y > c.0.y {
+    if b.0.y() > c.0.y() {
         (b, c, area) = (c, b, -area);
     }
-    if a.0.y > b.0.y {
+    if a.0.y() > b.0.y() {
         (a, b, area) = (b, a, -area);
     }
     ([a, b, c], area)

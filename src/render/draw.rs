@@ -1,5 +1,7 @@
 //! One meshlet into one band.
 
+use core::ops::Range;
+
 use super::lines::{self, Pass, draw_hidden, draw_look};
 use super::meshlet_cache::MeshletCache;
 use super::paint::{Ids, Paint};
@@ -9,18 +11,21 @@ use super::triangles::{Draw, Triangle, triangles};
 use super::visible_list::Entry;
 use crate::fog::Haze;
 use crate::frame::Target;
+use crate::math::Rect;
 use crate::raster::{Drawn, Sides, draw_triangle};
 use crate::scene::{Cull, Meshlet, Scene, Shading};
 use crate::vertex::{TransformedMeshlet, transform_meshlet};
 use crate::view::{ActorView, round_level};
 
-/// Draws what a listed meshlet has in its pass, into its viewport's rows.
+/// Draws what a listed meshlet has in its pass, into its viewport's rows. When its
+/// vertices are known, so are its rows, and the entry is told.
 pub(super) fn draw_meshlet<P: Paint>(
     paint: &P,
     scene: &Scene<'_>,
     (view, haze): (&ActorView, Option<&Haze>),
-    entry: &Entry,
+    entry: &mut Entry,
     cache: &mut MeshletCache<'_>,
+    (rect, rows): (&Rect, &Range<u16>),
     target: &mut Target<'_>,
     stats: &mut FrameStats,
 ) {
@@ -31,9 +36,14 @@ pub(super) fn draw_meshlet<P: Paint>(
     let transformed = cache.get(key, entry.end_row, |out| {
         stats.meshlets_transformed += 1;
         stats.vertices += u32::from(meshlet.vertices);
-        transform_meshlet(scene, view, &meshlet, out);
+        let rows = transform_meshlet(scene, view, &meshlet, out);
+        // Of lines and points more is drawn than lies between their vertices.
+        if let (Some(rows), true) = (rows, lines::look(scene, entry.actor).is_none()) {
+            entry.narrow(rows, rect);
+        }
+        entry.end_row
     });
-    let Some(transformed) = transformed else {
+    let (Some(transformed), true) = (transformed, entry.touches(rows)) else {
         return;
     };
     let part = Part {

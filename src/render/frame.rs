@@ -102,7 +102,7 @@ pub fn render_rows_with<P: Paint, D: Display>(
         let mut after = None;
         loop {
             let entries = match whole {
-                Some(count) => work.entries.get(..count).unwrap_or_default(),
+                Some(count) => work.entries.get_mut(..count).unwrap_or_default(),
                 None => {
                     stats.list_refills += 1;
                     let list = visible_list::fill(
@@ -117,7 +117,7 @@ pub fn render_rows_with<P: Paint, D: Display>(
                     list.entries
                 }
             };
-            for entry in entries.iter().filter(|entry| entry.touches(&rows)) {
+            for entry in entries.iter_mut().filter(|entry| entry.touches(&rows)) {
                 // 3. Vertices: transform, project, light - or as kept from the
                 //    band before. 4. Triangles: back faces, clipping, setup,
                 //    spans.
@@ -138,6 +138,7 @@ pub fn render_rows_with<P: Paint, D: Display>(
                     (view, haze.as_ref()),
                     entry,
                     &mut cache,
+                    (&rect, &rows),
                     &mut target.part(&rect),
                     &mut stats,
                 );

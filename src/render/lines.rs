@@ -104,7 +104,7 @@ fn draw_points<P: Paint>(
     stats.marks += u32::from(part.meshlet.vertices);
     for number in 0..part.meshlet.vertices {
         let point = corner(part.transformed, number);
-        if point.outside != 0 {
+        if point.is_outside() {
             continue;
         }
         let ids = Ids {
@@ -129,12 +129,13 @@ fn draw_edges<P: Paint>(
     for (number, [from, to]) in (first..).zip(edges) {
         let indices = [*from, *to & !CHAINED];
         let ends = indices.map(|index| corner(part.transformed, index));
-        let [a, b] = ends.map(|v| v.outside);
-        if a & b != 0 {
+        let [_, last] = ends;
+        let (any, all) = ScreenVertex::any_and_all_outside(ends);
+        if all {
             continue;
         }
         let clipped;
-        let vertices = if a | b == 0 {
+        let vertices = if !any {
             ends
         } else {
             let ends = clip_vertices(part.scene, part.view, part.meshlet, indices, ends);
@@ -147,7 +148,7 @@ fn draw_edges<P: Paint>(
         let line = Line {
             vertices,
             // What is left of a clipped line ends nowhere else.
-            ends: [true, b != 0 || to & CHAINED == 0],
+            ends: [true, last.is_outside() || to & CHAINED == 0],
             width: look.line_width,
             perspective: part.view.perspective,
         };
@@ -214,12 +215,12 @@ impl<P: Paint> Draw for Hidden<'_, '_, P> {
 /// range of their depths, and 1.
 fn sunk(triangle: &Triangle<'_>, width: i64) -> [ScreenVertex; 3] {
     let [a, b, c] = triangle.corners;
-    let [za, zb, zc] = triangle.corners.map(|v| i64::from(v.z.to_bits()));
+    let [za, zb, zc] = triangle.corners.map(|v| i64::from(v.z().to_bits()));
     let range = za.max(zb).max(zc) - za.min(zb).min(zc);
     let from_a = |v: &ScreenVertex| {
         [
-            i64::from(v.x.to_bits()) - i64::from(a.x.to_bits()),
-            i64::from(v.y.to_bits()) - i64::from(a.y.to_bits()),
+            i64::from(v.x().to_bits()) - i64::from(a.x().to_bits()),
+            i64::from(v.y().to_bits()) - i64::from(a.y().to_bits()),
         ]
     };
     let ([x1, y1], [x2, y2]) = (from_a(b), from_a(c));
@@ -231,10 +232,7 @@ fn sunk(triangle: &Triangle<'_>, width: i64) -> [ScreenVertex; 3] {
     let deeper = slope.unwrap_or(range).min(range) + (1 << 4);
     triangle.corners.map(|v| {
         // What just rounds to 1 is the least depth.
-        let z = (i64::from(v.z.to_bits()) - deeper).max(9);
-        ScreenVertex {
-            z: FineDepth::from_bits(z as u32),
-            ..*v
-        }
+        let z = (i64::from(v.z().to_bits()) - deeper).max(9);
+        v.with_depth(FineDepth::from_bits(z as u32))
     })
 }

@@ -44,20 +44,19 @@ impl<'a> MeshletCache<'a> {
     }
 
     /// The meshlet's vertices, from a slot or through `transform`. `until` is
-    /// one past its last row.
+    /// one past its last row, at most; `transform` gives what that really is.
     pub(super) fn get(
         &mut self,
         key: (u16, u32),
         until: u16,
-        transform: impl FnOnce(&mut TransformedMeshlet),
+        transform: impl FnOnce(&mut TransformedMeshlet) -> u16,
     ) -> Option<&TransformedMeshlet> {
         let held = self.slots.iter().position(|slot| slot.key == Some(key));
         let which = held.unwrap_or_else(|| self.choose(until));
         let slot = self.slots.get_mut(which)?;
         if held.is_none() {
-            transform(&mut slot.vertices);
+            slot.until = transform(&mut slot.vertices).min(until);
             slot.key = Some(key);
-            slot.until = until;
         }
         if slot.until <= self.band_end {
             // Not needed again: free for the next one.

@@ -377,7 +377,7 @@ impl CornerSource<'_> {
             Lighting::Face => {}
             Lighting::Level => {
                 let kept = part.transformed.vertices.get(usize::from(index));
-                put(&[kept.map_or(0, |v| i32::from(v.level.to_bits()))]);
+                put(&[kept.map_or(0, |v| i32::from(v.level().to_bits()))]);
             }
             Lighting::Colour if attributes.textured => {
                 let (place, normal) = self.point(index);

@@ -40,12 +40,12 @@ pub(super) fn triangles(
     stats.triangles += u32::from(meshlet.triangles);
     for (number, indices) in scene.meshlet_triangles(meshlet).iter().enumerate() {
         let corners = indices.map(|index| corner(transformed, index));
-        let [a, b, c] = corners.map(|v| v.outside);
-        if a & b & c != 0 {
+        let (any, all) = ScreenVertex::any_and_all_outside(corners);
+        if all {
             stats.triangles_outside += 1;
             continue;
         }
-        if a | b | c == 0 {
+        if !any {
             stats.count(to.draw(&Triangle {
                 number,
                 indices,
@@ -92,7 +92,7 @@ pub(super) fn clip_vertices<const N: usize>(
     let rows = MeshletRows::new(view, meshlet);
     let mut vertices = indices.map(|index| vertex(scene, &rows, view, meshlet, index));
     for (vertex, kept) in vertices.iter_mut().zip(kept) {
-        vertex.level = i32::from(kept.level.to_bits());
+        vertex.level = i32::from(kept.level().to_bits());
     }
     vertices
 }

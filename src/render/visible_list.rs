@@ -6,6 +6,7 @@ use super::actors::Actors;
 use super::lines::{self, Pass};
 use super::stats::FrameStats;
 use crate::cull::{Verdict, judge};
+use crate::math::Rect;
 use crate::scene::Scene;
 use crate::scene::layout::MESHLETS;
 
@@ -38,6 +39,13 @@ impl Entry {
         end_row: 0,
         nearness: 0,
     };
+
+    /// Takes over the rows of the viewport at `rect` that its vertices have, which are
+    /// some of those that it had.
+    pub(super) fn narrow(&mut self, rows: Range<u16>, rect: &Rect) {
+        self.first_row = self.first_row.max(rect.top.saturating_add(rows.start));
+        self.end_row = self.end_row.min(rect.top.saturating_add(rows.end));
+    }
 
     pub(super) fn touches(&self, rows: &Range<u16>) -> bool {
         self.first_row < rows.end && self.end_row > rows.start
@@ -76,7 +84,7 @@ impl Entry {
 
 /// A sorted list, and whether it is all there is.
 pub(super) struct List<'e> {
-    pub(super) entries: &'e [Entry],
+    pub(super) entries: &'e mut [Entry],
     /// If the list was too short: the place of its last entry.
     pub(super) last: Option<Place>,
 }

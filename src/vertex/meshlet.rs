@@ -1,8 +1,10 @@
 //! A whole meshlet, transformed and lit.
 
+use core::ops::Range;
+
 use super::{ClipVertex, ScreenVertex, project};
 use crate::light::{Patch, ShortUnit, SurfaceLights, vertex_normal};
-use crate::math::FineLevel;
+use crate::math::{FineLevel, HALF_PX, SUBPX_BITS, SubPx};
 use crate::scene::layout::MESHLET_VERTICES;
 use crate::scene::{Meshlet, Scene, Shading};
 use crate::view::{ActorView, MeshletRows};
@@ -38,13 +40,14 @@ impl TransformedMeshlet {
     }
 }
 
-/// Transforms and lights all vertices of `meshlet` into `out`.
+/// Transforms and lights all vertices of `meshlet` into `out`. Gives the rows of the
+/// viewport between them, unless some have to be clipped.
 pub fn transform_meshlet(
     scene: &Scene<'_>,
     view: &ActorView,
     meshlet: &Meshlet,
     out: &mut TransformedMeshlet,
-) {
+) -> Option<Range<u16>> {
     let rows = MeshletRows::new(view, meshlet);
     let gouraud = view.material.shading == Shading::Gouraud;
     let full = cfg!(feature = "light") && view.material.full;
@@ -68,6 +71,24 @@ pub fn transform_meshlet(
     if full && gouraud {
         light_vertices(scene, view, meshlet, out);
     }
+    let transformed = out.vertices.iter().take(vertices.len());
+    rows_between(transformed)
+}
+
+/// The rows whose centres are between vertices.
+fn rows_between<'v>(vertices: impl Iterator<Item = &'v ScreenVertex>) -> Option<Range<u16>> {
+    let (mut least, mut most) = (SubPx::MAX, SubPx::MIN);
+    for vertex in vertices {
+        if vertex.is_outside() {
+            return None;
+        }
+        (least, most) = (least.min(vertex.y()), most.max(vertex.y()));
+    }
+    let row = |y: SubPx| {
+        let row = (y.to_bits().saturating_add(HALF_PX - 1)) >> SUBPX_BITS;
+        row.clamp(0, u16::MAX.into()) as u16
+    };
+    Some(row(least)..row(most))
 }
 
 /// Lights all vertices with everything that the light model has.
@@ -88,7 +109,7 @@ fn light_vertices(
         let tint = tints.get(i).map(|[r, g, b, _]| [*r, *g, *b]);
         let lit = lights.shine(normal, place, tint);
         let [level, ..] = lit;
-        out_vertex.level = FineLevel::from_bits(level);
+        *out_vertex = out_vertex.lit(FineLevel::from_bits(level));
         if let Some(colour) = out.colours.get_mut(i) {
             let [r, g, b] = lit.map(|c| (u32::from(c) + 8) >> 4);
             *colour = r | g << 10 | b << 20;

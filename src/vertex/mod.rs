@@ -5,8 +5,10 @@
 mod clip_coordinates;
 mod meshlet;
 mod projection;
+mod screen_vertex;
 
 pub use clip_coordinates::ClipVertex;
 pub use meshlet::{TransformedMeshlet, surface_point, transform_meshlet, vertex};
-pub use projection::{Rest, ScreenVertex, outside, project};
 pub(crate) use projection::{guard, outcode};
+pub use projection::{outside, project};
+pub use screen_vertex::{Rest, ScreenVertex};

@@ -1,60 +1,8 @@
 //! Clip coordinates to the screen.
 
-use super::ClipVertex;
-use crate::math::{FineDepth, FineLevel, MAX_SCREEN, SubPx, mul_high, reciprocal};
+use super::{ClipVertex, Rest, ScreenVertex};
+use crate::math::{FineLevel, MAX_SCREEN, SubPx, mul_high, reciprocal};
 use crate::view::ActorView;
-
-/// A vertex on the screen. Not meaningful in x, y and z if `outside` says that
-/// the vertex has to be clipped first.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct ScreenVertex {
-    /// From the screen's left edge.
-    pub x: SubPx,
-    /// From the screen's top edge.
-    pub y: SubPx,
-    /// Depth.
-    pub z: FineDepth,
-    /// Light level.
-    pub level: FineLevel,
-    /// Planes that it is beyond: bits of [`outside`].
-    pub outside: u8,
-    /// What rounding took from x and y.
-    pub rest: Rest,
-}
-
-impl ScreenVertex {
-    /// At the screen's corner.
-    pub const ZERO: Self = Self {
-        x: SubPx::ZERO,
-        y: SubPx::ZERO,
-        z: FineDepth::ZERO,
-        level: FineLevel::ZERO,
-        outside: 0,
-        rest: Rest::NONE,
-    };
-}
-
-/// What rounding took from a screen position, in 1/16 of a sub-pixel, -8..=7
-/// each, in one byte. Only the depth of steep faces needs it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Rest(u8);
-
-impl Rest {
-    /// Nothing.
-    pub const NONE: Self = Self(0);
-    /// Bits of each part.
-    pub(crate) const BITS: u32 = 4;
-
-    fn new(x: i32, y: i32) -> Self {
-        Self((x & 15 | y << 4) as u8)
-    }
-
-    /// Of x and of y.
-    pub(crate) fn parts(self) -> [i32; 2] {
-        let byte = i32::from(self.0 as i8);
-        [byte << 28 >> 28, byte >> 4]
-    }
-}
 
 /// Outcode bits: a vertex with any of them set cannot be projected as it is
 /// (near, far) or would leave the range of screen positions (the others).
@@ -124,11 +72,7 @@ pub fn project(view: &ActorView, vertex: &ClipVertex) -> ScreenVertex {
     let outside = outcode(view, clip);
     let level = FineLevel::from_bits(vertex.level as u16);
     if outside != 0 {
-        return ScreenVertex {
-            level,
-            outside,
-            ..ScreenVertex::default()
-        };
+        return ScreenVertex::beyond(outside).lit(level);
     }
     let recip = reciprocal(vertex.distance as u32);
     let z = view.depth.depth(vertex.distance, recip);
@@ -143,14 +87,8 @@ pub fn project(view: &ActorView, vertex: &ClipVertex) -> ScreenVertex {
         (view.parallel(vertex.x), view.parallel(vertex.y))
     };
     let ([mx, my], (x, rest_x), (y, rest_y)) = (view.middle, split(x), split(y));
-    ScreenVertex {
-        x: SubPx::from_bits(x + mx),
-        y: SubPx::from_bits(y + my),
-        z,
-        level,
-        outside,
-        rest: Rest::new(rest_x, rest_y),
-    }
+    let place = [x + mx, y + my].map(SubPx::from_bits);
+    ScreenVertex::new(place, Rest::new(rest_x, rest_y), z).lit(level)
 }
 
 /// Bits that a projected position has beyond a sub-pixel's.

@@ -56,7 +56,7 @@ fn rows_drawn(scene: &Scene<'_>, view: &ActorView, meshlet: &Meshlet) -> Option<
                 Fill::Flat(1)
             });
         };
-        if corners.iter().all(|v| v.outside == 0) {
+        if corners.iter().all(|v| !v.is_outside()) {
             draw(corners);
             continue;
         }

@@ -278,7 +278,7 @@ fn check(case: &Case) -> Result<(), TestCaseError> {
     };
     // Clip units a world unit.
     let unit = f64::from(view.parallel_shift + view.lens.exponent).exp2();
-    if screen.outside != 0 {
+    if screen.is_outside() {
         return Ok(());
     }
     let scale = if view.perspective {
@@ -318,7 +318,7 @@ fn check(case: &Case) -> Result<(), TestCaseError> {
     let want_z = want_z.max(9.0 / 16.0);
     let [x, y] = [(screen.x, want_x), (screen.y, want_y)]
         .map(|(got, want)| (got.to_num::<f64>() - want).abs() * 4096.0);
-    let z = (screen.z.to_num::<f64>() - want_z).abs();
+    let z = (screen.z().to_num::<f64>() - want_z).abs();
     prop_assert!(
         x <= off_x,
         "x is off by {} sub-pixels, {} allowed",
@@ -370,7 +370,7 @@ proptest! {
         let inside = |x: i32, y: i32| {
             let vertex = ClipVertex { x, y, distance, level: 0 };
             let screen = project(&view, &vertex);
-            (screen.outside == 0).then_some(screen)
+            (!screen.is_outside()).then_some(screen)
         };
         let sign = corner.map(|negative| if negative { -1 } else { 1 });
         let (mut low, mut high) = (0i32, most);
@@ -382,7 +382,7 @@ proptest! {
             }
         }
         if let Some(screen) = inside(sign[0] * low, sign[1] * low) {
-            let off = [screen.x.to_bits() - view.middle[0], screen.y.to_bits() - view.middle[1]];
+            let off = [screen.x().to_bits() - view.middle[0], screen.y().to_bits() - view.middle[1]];
             prop_assert!(off.iter().all(|c| c.abs() <= MAX_SCREEN), "{:?} sub-pixels from the middle", off);
             prop_assert!((0..2).all(|i| off[i] * sign[i] >= 0), "{:?} wrapped", off);
             // A power of two below what the lens would allow, at most.

@@ -34,8 +34,9 @@ impl EngineError {
 /// measuring and the demo firmware use the same, so that speed and RAM belong
 /// together.
 pub const MESHLETS: usize = 64;
-/// Meshlets that are kept from band to band.
-pub const SLOTS: usize = 8;
+/// Meshlets that are kept from band to band: as many as 10 KB hold, of which each also
+/// keeps colours where a scene may use them.
+pub const SLOTS: usize = if cfg!(feature = "whole") { 10 } else { 13 };
 /// Actors whose matrices are kept.
 pub const ACTORS: usize = 4;
 /// The renderer's working memory of that size.

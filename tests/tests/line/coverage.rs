@@ -185,7 +185,7 @@ proptest! {
         for (i, _) in found.iter().enumerate().filter(|(_, n)| **n > 1) {
             let centre = [i % 200, i / 200].map(|c| ((c as i32) << 12) + 2048);
             let bent = vertices[1..=last].iter().any(|v| {
-                let off = [v.x.to_bits() - centre[0], v.y.to_bits() - centre[1]];
+                let off = [v.x().to_bits() - centre[0], v.y().to_bits() - centre[1]];
                 off.iter().all(|c| c.abs() <= 4096)
             });
             prop_assert!(bent, "pixel {} {} twice", i % 200, i / 200);
@@ -195,7 +195,7 @@ proptest! {
         let on = |x: i32, y: i32| (0..200).contains(&x) && (0..80).contains(&y) && found[(y * 200 + x) as usize] > 0;
         let all: Vec<(i32, i32)> = (0..80).flat_map(|y| (0..200).map(move |x| (x, y))).filter(|(x, y)| on(*x, *y)).collect();
         let inside = vertices.iter().all(|v| {
-            let (x, y) = (v.x.to_bits() >> 12, v.y.to_bits() >> 12);
+            let (x, y) = (v.x().to_bits() >> 12, v.y().to_bits() >> 12);
             (1..199).contains(&x) && (1..79).contains(&y)
         });
         if inside && !all.is_empty() {

@@ -24,14 +24,8 @@ fn levels() -> [u8; 256] {
 
 /// A vertex by raw sub-pixels, raw depth (16.4) and raw level (8.6).
 fn raw(x: i32, y: i32, z: u32, level: u16) -> ScreenVertex {
-    ScreenVertex {
-        x: SubPx::from_bits(x),
-        y: SubPx::from_bits(y),
-        z: FineDepth::from_bits(z),
-        level: FineLevel::from_bits(level),
-        outside: 0,
-        rest: Rest::NONE,
-    }
+    let place = [x, y].map(SubPx::from_bits);
+    ScreenVertex::new(place, Rest::NONE, FineDepth::from_bits(z)).lit(FineLevel::from_bits(level))
 }
 
 /// A vertex by pixels, halfway deep.

@@ -30,7 +30,7 @@ fn plane(vertices: &[ScreenVertex; 3], values: [f64; 3], x: usize, y: usize) -> 
     let (px, py) = (x as f64 + 0.5, y as f64 + 0.5);
     let [(ax, ay), (bx, by), (cx, cy)] = vertices
         .each_ref()
-        .map(|v| (v.x.to_num::<f64>(), v.y.to_num::<f64>()));
+        .map(|v| (v.x().to_num::<f64>(), v.y().to_num::<f64>()));
     let area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
     let b = ((px - ax) * (cy - ay) - (py - ay) * (cx - ax)) / area;
     let c = ((bx - ax) * (py - ay) - (by - ay) * (px - ax)) / area;

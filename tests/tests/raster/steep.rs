@@ -43,11 +43,10 @@ fn vertex((x, y): (i32, i32), z: u32, level: u16) -> ScreenVertex {
         distance: 1,
         level: 0,
     };
-    ScreenVertex {
-        z: FineDepth::from_bits(z),
-        level: FineLevel::from_bits(level),
-        ..project(&view(), &clip)
-    }
+    let projected = project(&view(), &clip);
+    projected
+        .with_depth(FineDepth::from_bits(z))
+        .lit(FineLevel::from_bits(level))
 }
 
 /// Depths and levels of one triangle on a cleared screen.

@@ -61,7 +61,7 @@ fn drawn(vertices: &[ScreenVertex; 3], corners: [Corner; 3]) -> Vec<Seen> {
 fn slenderness(vertices: &[ScreenVertex; 3]) -> f64 {
     let place = |i: usize| {
         let v = &vertices[i % 3];
-        (v.x.to_num::<f64>(), v.y.to_num::<f64>())
+        (v.x().to_num::<f64>(), v.y().to_num::<f64>())
     };
     let side = |i: usize| {
         let ((ax, ay), (bx, by)) = (place(i), place(i + 1));
@@ -75,7 +75,7 @@ fn weights(vertices: &[ScreenVertex; 3], [x, y]: [i32; 2]) -> (f64, [f64; 3]) {
     let (px, py) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
     let [(ax, ay), (bx, by), (cx, cy)] = vertices
         .each_ref()
-        .map(|v| (v.x.to_num::<f64>(), v.y.to_num::<f64>()));
+        .map(|v| (v.x().to_num::<f64>(), v.y().to_num::<f64>()));
     let area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
     let b = ((px - ax) * (cy - ay) - (py - ay) * (cx - ax)) / area;
     let c = ((bx - ax) * (py - ay) - (by - ay) * (px - ax)) / area;
