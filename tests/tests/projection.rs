@@ -316,7 +316,7 @@ fn check(case: &Case) -> Result<(), TestCaseError> {
     // Depths have 4 fractional bits; a parallel view's depth at the eye as well.
     let off_z = if view.perspective { 0.04 } else { 0.1 } + deep * off;
     let want_z = want_z.max(9.0 / 16.0);
-    let [x, y] = [(screen.x, want_x), (screen.y, want_y)]
+    let [x, y] = [(screen.x(), want_x), (screen.y(), want_y)]
         .map(|(got, want)| (got.to_num::<f64>() - want).abs() * 4096.0);
     let z = (screen.z().to_num::<f64>() - want_z).abs();
     prop_assert!(

@@ -8,7 +8,7 @@ use fixel::frame::Band;
 use fixel::line::{DepthRule, Line, draw_line};
 use fixel::math::{FineDepth, FineLevel, SUBPX_BITS, SubPx};
 use fixel::raster::Fill;
-use fixel::vertex::ScreenVertex;
+use fixel::vertex::{Rest, ScreenVertex};
 
 const ONE: f64 = (1 << SUBPX_BITS) as f64;
 

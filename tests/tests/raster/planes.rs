@@ -45,7 +45,8 @@ proptest! {
     fn depth_and_level_are_those_of_the_plane(
         corners in triangle(),
         depths in any::<[u16; 3]>(),
-        level_bits in prop::array::uniform3(0u16..=255 << 6),
+        // In steps of 1/16, as a vertex on the screen has it.
+        level_bits in prop::array::uniform3((0u16..=255 << 4).prop_map(|level| level << 2)),
     ) {
         let raw_depths = depths.map(|z| (u32::from(z) << 4).clamp(16, 65535 << 4));
         let vertices: [_; 3] = core::array::from_fn(|i| {
