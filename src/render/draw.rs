@@ -17,15 +17,30 @@ use crate::scene::{Cull, Meshlet, Scene, Shading};
 use crate::vertex::{TransformedMeshlet, transform_meshlet};
 use crate::view::{ActorView, round_level};
 
+/// Where a meshlet is drawn.
+pub(super) struct Place<'a> {
+    pub view: &'a ActorView,
+    /// The viewport's fog, if it has one.
+    pub haze: Option<&'a Haze>,
+    /// Its viewport.
+    pub rect: &'a Rect,
+    /// The band's rows of the frame.
+    pub rows: &'a Range<u16>,
+}
+
 /// Draws what a listed meshlet has in its pass, into its viewport's rows. When its
 /// vertices are known, so are its rows, and the entry is told.
 pub(super) fn draw_meshlet<P: Paint>(
     paint: &P,
     scene: &Scene<'_>,
-    (view, haze): (&ActorView, Option<&Haze>),
+    Place {
+        view,
+        haze,
+        rect,
+        rows,
+    }: Place<'_>,
     entry: &mut Entry,
     cache: &mut MeshletCache<'_>,
-    (rect, rows): (&Rect, &Range<u16>),
     target: &mut Target<'_>,
     stats: &mut FrameStats,
 ) {

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use super::actors::Actors;
-use super::draw::draw_meshlet;
+use super::draw::{Place, draw_meshlet};
 use super::lines::Pass;
 use super::meshlet_cache::MeshletCache;
 use super::paint::{Paint, Shaded};
@@ -135,10 +135,14 @@ pub fn render_rows_with<P: Paint, D: Display>(
                 draw_meshlet(
                     paint,
                     scene,
-                    (view, haze.as_ref()),
+                    Place {
+                        view,
+                        haze: haze.as_ref(),
+                        rect: &rect,
+                        rows: &rows,
+                    },
                     entry,
                     &mut cache,
-                    (&rect, &rows),
                     &mut target.part(&rect),
                     &mut stats,
                 );
