@@ -358,9 +358,14 @@ impl Tracer<'_> {
     fn add_background(&self, direction: Unit3, weight: u32, sums: &mut [u32; 3]) {
         let up = dot(direction, self.settings.up).clamp(-(1 << 30), 1 << 30);
         // From top to bottom.
-        let down = ((1u32 << 30).wrapping_sub(up as u32) >> 15).min(65534);
-        let index = self.background.at(down as u16, 65535);
-        add(sums, self.entry(index), weight);
+        let down = (1u32 << 30).wrapping_sub(up as u32) >> 15;
+        // Its ends are entries as they are, what is between them need not be.
+        let [top, bottom] = self.background.ends().map(|index| self.entry(index));
+        let mut colour = top;
+        for (c, bottom) in colour.iter_mut().zip(bottom) {
+            *c = (((0x1_0000 - down) * u32::from(*c) + down * u32::from(bottom)) >> 16) as u16;
+        }
+        add(sums, colour, weight);
     }
 }
 

@@ -207,6 +207,11 @@ impl Gradient<'_> {
         let at = (u32::from(y) * self.0.len() as u32) / u32::from(height).max(1);
         self.0.get(at as usize).copied().unwrap_or(0)
     }
+
+    /// The first and the last.
+    pub fn ends(&self) -> [u8; 2] {
+        [self.0.first(), self.0.last()].map(|index| index.copied().unwrap_or(0))
+    }
 }
 
 impl Scene<'_> {

@@ -31,6 +31,10 @@ pub fn ray_frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame,
         smoothed: vec![None; size],
     };
     let drawn = render(scene, options, &mut all);
+    // A later viewport's background covers what an earlier one shows.
+    for (seen, depth) in all.seen.iter_mut().zip(&drawn.depth) {
+        *seen = seen.filter(|_| *depth != 0);
+    }
     let lookup = lookup(scene, options, drawn.size);
     let seen = || all.seen.iter();
     let triangle = |seen: &Option<Seen>| {

@@ -166,9 +166,12 @@ impl Truth {
     pub fn depth_of_lsb(&self, actor: usize, triangle: usize, x: u32, y: u32) -> Option<f64> {
         let (window, overlay, [column, row]) = self.window(x, y)?;
         if let Some(traced) = &self.traced {
-            let line = window.view.line(&window.view.ray(column, row));
-            let w = traced.world.meet_one(actor, triangle, &line)?;
-            return window.view.in_range(w).then(|| window.view.depth_lsb(w));
+            let view = &window.view;
+            let mut met = view.rays_around(column, row).into_iter().filter_map(|ray| {
+                let w = traced.world.meet_one(actor, triangle, &view.line(&ray))?;
+                view.in_range(w).then(|| view.depth_lsb(w))
+            });
+            return met.next();
         }
         let Some(face) = window.geometry.face(actor, triangle) else {
             return overlay.depth_lsb(actor, triangle, self.number(x, y));

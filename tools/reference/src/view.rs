@@ -115,6 +115,16 @@ impl View {
         self.ray_through(Self::centre_px([x, y]))
     }
 
+    /// [`View::ray`] and its mirror images about the pixel's centre: what is met by any of
+    /// them is at the centre, if a ray through an edge may meet either side.
+    pub(crate) fn rays_around(&self, x: u32, y: u32) -> [Ray; 4] {
+        let [right, down] = TIE_SHIFT_PX;
+        [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]].map(|[sx, sy]| {
+            let (x, y) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
+            self.ray_through([x + sx * right, y + sy * down])
+        })
+    }
+
     /// A pixel's centre on the screen.
     pub(crate) fn centre_px(pixel: [u32; 2]) -> [f64; 2] {
         [0, 1].map(|i| f64::from(pixel[i]) + 0.5 + TIE_SHIFT_PX[i])

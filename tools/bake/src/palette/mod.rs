@@ -118,7 +118,7 @@ pub(crate) fn tables(scene: &Scene, bases: &[[u8; 3]], mixed: bool, seen: &[Samp
         }
         samples.extend(seen);
     }
-    let palette = palette(scene, &backgrounds, &samples);
+    let palette = palette(scene, &backgrounds, mixed, &samples);
     let nearest = Nearest::new(&palette);
     let spread = spread(&samples, &palette, &nearest);
     let row = |material: &Material| {
@@ -195,7 +195,12 @@ fn indices(nearest: &Nearest, colours: &[Rgb]) -> Vec<u8> {
 
 /// The palette's entries: a file's, or those asked for and then the best for the
 /// rest.
-fn palette(scene: &Scene, backgrounds: &[Vec<Rgb>], samples: &[Sample]) -> Vec<[u8; 3]> {
+fn palette(
+    scene: &Scene,
+    backgrounds: &[Vec<Rgb>],
+    mixed: bool,
+    samples: &[Sample],
+) -> Vec<[u8; 3]> {
     let wanted = &scene.palette;
     if !wanted.fixed.is_empty() {
         return wanted.fixed.clone();
@@ -204,6 +209,15 @@ fn palette(scene: &Scene, backgrounds: &[Vec<Rgb>], samples: &[Sample]) -> Vec<[
     let mut palette = asked_for(&wanted.ramps);
     palette.truncate(most);
     if !samples.is_empty() {
+        if mixed {
+            // What rays see of a background is mixed from these.
+            let ends = backgrounds.iter().flat_map(|b| [b.first(), b.last()]);
+            for colour in ends.flatten().map(|colour| to_bytes(*colour)) {
+                if !palette.contains(&colour) && palette.len() < most {
+                    palette.push(colour);
+                }
+            }
+        }
         if let Some(fog) = &scene.fog {
             // What is far away and the sky before which it stands are the same
             // colour if they are meant to be.
