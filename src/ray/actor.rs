@@ -3,7 +3,7 @@
 use super::ray::between;
 use super::triangle::Faces;
 use crate::math::{Scaled, Unit3, mul_high, scaled_reciprocal};
-use crate::scene::{Actor, Cull, Optics, Place, Scene, Shape};
+use crate::scene::{Actor, Cull, Node, Optics, Place, Record, Scene, Shape};
 use crate::view::ModelFrame;
 
 /// Where an actor is, and what of it rays meet.
@@ -154,6 +154,33 @@ impl RayActor {
         })
     }
 
+    /// The corners of a box around all triangles, raw world bits.
+    pub(super) fn corners(&self, scene: &Scene<'_>) -> Option<[[i32; 3]; 8]> {
+        let Shape::Triangles { first_node, .. } = self.shape else {
+            return None;
+        };
+        let node = Node::from_words(scene.nodes_from(first_node).first()?);
+        let high = node
+            .sides
+            .map(|[_, high]| high.into_iter().fold(0, u8::max));
+        let mut far = node.origin;
+        for (c, high) in far.iter_mut().zip(high) {
+            *c += i32::from(high) << node.exponent.min(15);
+        }
+        let ([x0, y0, z0], [x1, y1, z1]) = (node.origin, far);
+        let corners = [
+            [x0, y0, z0],
+            [x1, y0, z0],
+            [x0, y1, z0],
+            [x1, y1, z0],
+            [x0, y0, z1],
+            [x1, y0, z1],
+            [x0, y1, z1],
+            [x1, y1, z1],
+        ];
+        Some(corners.map(|corner| plus(self.centre, turned(&self.to_grid, &self.step, corner))))
+    }
+
     /// What a place on its surface may be off, raw world bits.
     pub(super) fn roughness(&self) -> u32 {
         self.step.times(Scaled::new(4, 0)).fixed(0).min(1 << 24)
@@ -177,7 +204,7 @@ fn to_world(to_grid: &[Unit3; 3], [x, y, z]: [i32; 3]) -> [i32; 3] {
 /// Whole grid steps in raw world bits.
 fn turned(to_grid: &[Unit3; 3], step: &Scaled, [x, y, z]: [i32; 3]) -> [i32; 3] {
     // 22 bits and a sign: 7 more for the products.
-    let turned = to_world(to_grid, [x << 7, y << 7, z << 7]);
+    let turned = to_world(to_grid, [x, y, z].map(|c| c.wrapping_shl(7)));
     turned.map(|c| {
         let sign = c.signum();
         let length = Scaled::new(c.unsigned_abs(), -5).times(*step);

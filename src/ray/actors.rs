@@ -75,6 +75,7 @@ impl<'a> RayActors<'a> {
 
     /// Where a viewport's camera sees an actor.
     pub(super) fn bounds(&mut self, number: u16, viewport: u16, camera: &RayCamera) -> Rect {
+        let scene = self.scene;
         let Some(slot) = self.slot(number) else {
             return Rect::of_size(0, 0);
         };
@@ -84,7 +85,7 @@ impl<'a> RayActors<'a> {
             slot.view = View {
                 viewport: viewport + 1,
                 bounds: if seen {
-                    camera.bounds(actor.centre, actor.radius)
+                    on_screen(scene, actor, camera)
                 } else {
                     Rect::of_size(0, 0)
                 },
@@ -128,5 +129,35 @@ fn fill(scene: &Scene<'_>, pose: &Pose<'_>, number: u16, out: &mut RaySlot) {
     // Lines, marks and what lies on the screen are no surfaces.
     if scene.look(number).is_some() {
         out.actor.radius = 0;
+    }
+}
+
+/// Where a camera sees an actor: what holds its sphere and its box.
+fn on_screen(scene: &Scene<'_>, actor: &RayActor, camera: &RayCamera) -> Rect {
+    let round = camera.bounds(actor.centre, actor.radius);
+    let Some(corners) = actor.corners(scene) else {
+        return round;
+    };
+    // What corners are off by: a step, and the roundings of a turn.
+    let slack = actor.roughness().min(1 << 20) as i32 + 64;
+    let mut whole: Option<Rect> = None;
+    for corner in corners {
+        let Some(own) = camera.bounds_ahead(corner, slack) else {
+            return round;
+        };
+        let so_far = whole.unwrap_or(own);
+        whole = Some(Rect {
+            left: so_far.left.min(own.left),
+            top: so_far.top.min(own.top),
+            right: so_far.right.max(own.right),
+            bottom: so_far.bottom.max(own.bottom),
+        });
+    }
+    let whole = whole.unwrap_or(round);
+    Rect {
+        left: whole.left.max(round.left),
+        top: whole.top.max(round.top),
+        right: whole.right.min(round.right),
+        bottom: whole.bottom.min(round.bottom),
     }
 }

@@ -116,6 +116,14 @@ impl RayCamera {
         self.perspective.then_some(self.eye)
     }
 
+    /// The same as [`RayCamera::bounds`]; `None` of what reaches behind the eye.
+    pub(super) fn bounds_ahead(&self, centre: [i32; 3], radius: i32) -> Option<Rect> {
+        let off = Vec3::from_bits(centre).minus(self.frame.eye);
+        let [.., back] = self.frame.rotation.apply_wide(off);
+        let ahead = !self.perspective || -back - i64::from(radius) > 64 + self.near.min(1 << 30);
+        ahead.then(|| self.bounds(centre, radius))
+    }
+
     /// Pixels outside of this see nothing of a sphere, raw world bits.
     #[inline(never)]
     pub(super) fn bounds(&self, centre: [i32; 3], radius: i32) -> Rect {

@@ -17,6 +17,8 @@ pub(super) struct GridRay {
     pub axes: [usize; 3],
     /// Where the ray starts.
     pub from: GridPlace,
+    /// From grid steps to its units: a shift to the left, and one to the right.
+    pub shifts: [u32; 2],
     /// How much the ray goes along the first and the second axis for one of the third,
     /// Q31.
     pub slopes: [i32; 2],
@@ -32,11 +34,11 @@ impl GridRay {
         let direction = actor.direction(ray.direction);
         let [x, y, z] = direction.map(i32::unsigned_abs);
         let axes = if x > y && x > z {
-            [1, 2, 0]
+            AXES[0]
         } else if y > z {
-            [2, 0, 1]
+            AXES[1]
         } else {
-            [0, 1, 2]
+            AXES[2]
         };
         let [sx, sy, along] = axes.map(|axis| component(&direction, axis));
         let bits = along.unsigned_abs() | 1;
@@ -51,6 +53,7 @@ impl GridRay {
         Self {
             axes,
             from,
+            shifts: [from.fraction, -from.fraction].map(|by| by.max(0) as u32),
             slopes: [slope(sx), slope(sy)],
             up: along >= 0,
             along,
@@ -60,12 +63,9 @@ impl GridRay {
     /// A grid point's distance from the ray's start along one axis of the grid.
     #[inline(always)]
     pub(super) fn off(&self, axis: usize, steps: i32) -> i32 {
-        let fraction = self.from.fraction;
-        let scaled = if fraction >= 0 {
-            steps.wrapping_shl(fraction as u32)
-        } else {
-            steps >> fraction.unsigned_abs().min(31)
-        };
+        // One of the two is 0.
+        let [left, right] = self.shifts;
+        let scaled = steps.wrapping_shl(left) >> right.min(31);
         scaled.wrapping_sub(component(&self.from.place, axis))
     }
 
@@ -97,6 +97,9 @@ impl GridRay {
         units.fixed(0).min(i32::MAX as u32) as i32
     }
 }
+
+/// The orders of axes, by the third one.
+pub(super) const AXES: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
 
 /// A component by its axis, 0..=2.
 #[inline(always)]

@@ -5,7 +5,7 @@
 //! in 8. Nothing is divided, nothing overflows, and what roundings may take is added:
 //! a box around something that is met is met.
 
-use super::grid_ray::GridRay;
+use super::grid_ray::{AXES, GridRay};
 use super::triangle::{Faces, Points, TriangleHit, meet};
 use crate::math::mul_high;
 use crate::scene::layout::RAY_STACK;
@@ -67,7 +67,11 @@ impl<'a> Hierarchy<'a> {
         faces: Faces,
         range: (i32, i32),
     ) -> Option<TriangleHit> {
-        self.walk(ray, faces, range, Wanted::Nearest).nearest
+        match ray.axes {
+            [.., 0] => self.along::<0>(ray, faces, range, Wanted::Nearest).nearest,
+            [.., 1] => self.along::<1>(ray, faces, range, Wanted::Nearest).nearest,
+            _ => self.along::<2>(ray, faces, range, Wanted::Nearest).nearest,
+        }
     }
 
     /// Whether a ray meets any triangle.
@@ -80,6 +84,20 @@ impl<'a> Hierarchy<'a> {
     #[inline(never)]
     pub(super) fn count(&self, ray: &GridRay, range: (i32, i32)) -> u32 {
         self.walk(ray, Faces::BOTH, range, Wanted::Count).count
+    }
+
+    /// The way of a ray whose third axis is known to the compiler, which then knows
+    /// where everything is.
+    #[inline(always)]
+    fn along<const THIRD: usize>(
+        &self,
+        ray: &GridRay,
+        faces: Faces,
+        range: (i32, i32),
+        wanted: Wanted,
+    ) -> Way {
+        let axes = AXES.get(THIRD).copied().unwrap_or(ray.axes);
+        self.walk(&GridRay { axes, ..*ray }, faces, range, wanted)
     }
 
     #[inline(always)]
@@ -207,49 +225,33 @@ impl<'a> Hierarchy<'a> {
         let (x_low, x_high) = (sides(kx, 0), sides(kx, 1));
         let (y_low, y_high) = (sides(ky, 0), sides(ky, 1));
 
+        let test = BoxTest {
+            x: [x_low, x_first, x_high, x_second],
+            y: [y_low, y_first, y_high, y_second],
+            z: [z_low, z_high],
+            at: [x, y],
+            slopes: [sx, sy],
+            margin,
+            range: (from, to),
+            small,
+        };
         let mut count = first;
-        for (child, word) in (0u32..).zip(children) {
+        for child in 0..4u32 {
+            let word = children.get(child as usize).copied().unwrap_or(0);
             if word == 0 {
                 break;
             }
-            let byte = |all: u32| (all >> (8 * child) & 255) as i32;
-            let (low, high) = (byte(z_low), byte(z_high));
-            if !small {
-                if low > to || high < from {
-                    continue;
-                }
-                if (byte(x_low) << SLOPE_BITS) + x - sx * byte(x_first) > margin
-                    || (byte(x_high) << SLOPE_BITS) + x - sx * byte(x_second) < -margin
-                    || (byte(y_low) << SLOPE_BITS) + y - sy * byte(y_first) > margin
-                    || (byte(y_high) << SLOPE_BITS) + y - sy * byte(y_second) < -margin
-                {
-                    continue;
-                }
-            }
-            let ahead = if ray.up {
+            let Some((low, high)) = test.meets(8 * child) else {
+                continue;
+            };
+            let ahead = if small {
+                i32::MIN
+            } else if ray.up {
                 nz.saturating_add(low << exponent)
             } else {
                 nz.saturating_add(high << exponent).saturating_neg()
             };
-            let ahead = if small { i32::MIN } else { ahead };
-            // The parser made sure that there is room.
-            let mut at = count.min(RAY_STACK - 1);
-            count = at + 1;
-            while at > first {
-                let Some(before) = left.get(at - 1).copied() else {
-                    break;
-                };
-                if before.ahead >= ahead {
-                    break;
-                }
-                if let Some(slot) = left.get_mut(at) {
-                    *slot = before;
-                }
-                at -= 1;
-            }
-            if let Some(slot) = left.get_mut(at) {
-                *slot = Left { word, ahead };
-            }
+            count = leave(left, first, count, Left { word, ahead });
         }
         count
     }
@@ -272,4 +274,75 @@ impl<'a> Hierarchy<'a> {
             }
         }
     }
+}
+
+/// What the four boxes of a node are tested with: words of a byte a box.
+struct BoxTest {
+    /// The lower sides, the third axis' sides that go with them, and the upper ones.
+    x: [u32; 4],
+    y: [u32; 4],
+    z: [u32; 2],
+    /// Where the ray is.
+    at: [i32; 2],
+    slopes: [i32; 2],
+    margin: i32,
+    /// On the third axis, in units of the node.
+    range: (i32, i32),
+    /// The boxes are too small to tell.
+    small: bool,
+}
+
+impl BoxTest {
+    /// If the ray meets a box, given by its place in the words: its sides on the third
+    /// axis.
+    #[inline(always)]
+    fn meets(&self, shift: u32) -> Option<(i32, i32)> {
+        let byte = |all: u32| (all >> shift & 255) as i32;
+        let [low, high] = self.z.map(byte);
+        if self.small {
+            return Some((low, high));
+        }
+        let (from, to) = self.range;
+        if low > to || high < from {
+            return None;
+        }
+        let ([x, y], [sx, sy]) = (self.at, self.slopes);
+        let [low_side, first, high_side, second] = self.x;
+        if (byte(low_side) << SLOPE_BITS) + x - sx * byte(first) > self.margin
+            || (byte(high_side) << SLOPE_BITS) + x - sx * byte(second) < -self.margin
+        {
+            return None;
+        }
+        let [low_side, first, high_side, second] = self.y;
+        if (byte(low_side) << SLOPE_BITS) + y - sy * byte(first) > self.margin
+            || (byte(high_side) << SLOPE_BITS) + y - sy * byte(second) < -self.margin
+        {
+            return None;
+        }
+        Some((low, high))
+    }
+}
+
+/// Adds what is left for later to what a node has left since `first`, the nearest last.
+#[inline(always)]
+fn leave(left: &mut [Left; RAY_STACK], first: usize, count: usize, new: Left) -> usize {
+    // The parser made sure that there is room.
+    let mut at = count.min(RAY_STACK - 1);
+    let end = at + 1;
+    while at > first {
+        let Some(before) = left.get(at - 1).copied() else {
+            break;
+        };
+        if before.ahead >= new.ahead {
+            break;
+        }
+        if let Some(slot) = left.get_mut(at) {
+            *slot = before;
+        }
+        at -= 1;
+    }
+    if let Some(slot) = left.get_mut(at) {
+        *slot = new;
+    }
+    end
 }

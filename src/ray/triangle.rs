@@ -85,7 +85,9 @@ impl<'a> Points<'a> {
     pub(super) fn off(&self, ray: &GridRay, number: usize, axes: [usize; 3]) -> [i32; 3] {
         let vertex = self.vertices.get(number).copied().unwrap_or_default();
         let fine = self.fine.get(number);
-        axes.map(|axis| ray.off(axis, self.steps(&vertex, fine, axis)))
+        let along = |axis: usize| ray.off(axis, self.steps(&vertex, fine, axis));
+        let [x, y, z] = axes;
+        [along(x), along(y), along(z)]
     }
 }
 
@@ -99,7 +101,9 @@ pub(super) fn meet(
     (nearest, farthest): (i32, i32),
 ) -> Option<TriangleHit> {
     let corners = points.corners(triangle);
-    let [a, b, c] = corners.map(|corner| ray.sheared(points.off(ray, corner, ray.axes)));
+    let [a, b, c] = corners;
+    let vertex = |corner: usize| ray.sheared(points.off(ray, corner, ray.axes));
+    let (a, b, c) = (vertex(a), vertex(b), vertex(c));
     let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (a, b, c);
     // All to one side of the ray.
     if (ax & bx & cx | all_above(ax, bx, cx)) < 0 {
