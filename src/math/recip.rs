@@ -22,7 +22,7 @@ const fn seeds() -> [u16; 256] {
 }
 
 /// `1 / value` as `mantissa * 2^(shift - 62)`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reciprocal {
     /// In 2^30 ..= 2^31 - 1; relative error below 2^-28.
     pub mantissa: i32,
@@ -50,7 +50,8 @@ pub fn reciprocal(value: u32) -> Reciprocal {
     let error = (1i32 << 30) - mul_high_u(x, first) as i32; // Q30, below 2^16
     let second = first.wrapping_add_signed(((first >> 16) as i32 * error) >> 14);
     Reciprocal {
-        mantissa: second.min(0x7fff_ffff) as i32,
+        // 2^31 becomes 2^31 - 1.
+        mantissa: (second - (second >> 31)) as i32,
         shift,
     }
 }

@@ -1,17 +1,17 @@
 //! What the corners of a surface's triangle have besides their place on the screen.
 
-use super::run::Values;
+use super::run::{RUN_FRACTION, Values};
 use super::sliver::WEIGHT_BITS;
 use crate::math::reciprocal;
 
 /// What a corner of a triangle has besides its place on the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Corner {
+pub struct Corner<const A: usize> {
     /// Distance along the line of sight, at least 1, in any unit; the same at all
     /// corners for interpolation along the screen.
     pub distance: i32,
-    /// Within -2^15..=2^15.
-    pub attributes: Values,
+    /// Within -2^15..=2^15, [`RUN_FRACTION`] fractional bits.
+    pub attributes: Values<A>,
 }
 
 /// What a surface is made of.
@@ -26,19 +26,17 @@ pub struct SurfaceKind {
     pub outlined: bool,
 }
 
-/// Fractional bits of an attribute that is not divided.
-pub(super) const AFFINE_FRACTION: u32 = 13;
 /// The three corners, sorted, with 1 / distance.
-pub(super) struct Corners {
+pub(super) struct Corners<const A: usize> {
     pub kind: SurfaceKind,
     /// In units that bring the nearest to 30 or 31 bits; at least 1.
     pub nearness: [i32; 3],
-    pub attributes: [Values; 3],
+    pub attributes: [Values<A>; 3],
     pub perspective: bool,
 }
 
-impl Corners {
-    pub(super) fn new(sorted: [&Corner; 3], kind: SurfaceKind) -> Self {
+impl<const A: usize> Corners<A> {
+    pub(super) fn new(sorted: [&Corner<A>; 3], kind: SurfaceKind) -> Self {
         let reciprocals = sorted.map(|c| reciprocal(c.distance.max(1) as u32));
         let nearest = reciprocals.iter().fold(0, |m, r| m.max(r.shift));
         let nearness = reciprocals.map(|r| (r.mantissa >> (nearest - r.shift).min(30)).max(1));
@@ -52,21 +50,23 @@ impl Corners {
     }
 
     /// An attribute at the three corners, times nearness in perspective, in 30 bits
-    /// and a sign, and the power of two that it was divided by.
+    /// and a sign, and the power of two that it was divided by; otherwise as it is.
     pub(super) fn products(&self, which: usize) -> ([i32; 3], i32) {
-        let mut values = [0; 3];
-        for (value, all) in values.iter_mut().zip(&self.attributes) {
-            *value = i64::from(all.get(which).copied().unwrap_or(0));
-        }
+        let own = |all: &Values<A>| all.get(which).copied().unwrap_or(0);
+        let own = self.attributes.each_ref().map(own);
         if !self.perspective {
-            return (values.map(|v| (v << AFFINE_FRACTION) as i32), 0);
+            return (own, 0);
         }
-        for (value, nearness) in values.iter_mut().zip(self.nearness) {
-            *value *= i64::from(nearness);
+        let mut values = [0; 3];
+        for (value, (own, nearness)) in values.iter_mut().zip(own.into_iter().zip(self.nearness)) {
+            *value = i64::from(own) * i64::from(nearness);
         }
         let bits = values.iter().fold(0, |m, v| m | v.unsigned_abs());
         let down = (34 - bits.leading_zeros() as i32).max(0);
-        (values.map(|v| (v >> down) as i32), down)
+        (
+            values.map(|v| (v >> down) as i32),
+            down - RUN_FRACTION as i32,
+        )
     }
 
     /// Weights in space from those on the screen.

@@ -5,8 +5,9 @@ use crate::math::Depth;
 /// Attributes that a surface has at most.
 pub const MOST_ATTRIBUTES: usize = 11;
 
-/// One number for each attribute; those past the surface's count mean nothing.
-pub type Values = [i32; MOST_ATTRIBUTES];
+/// One number for each attribute; those past the surface's count mean nothing. `A` is
+/// [`MOST_ATTRIBUTES`], or fewer for kernels of their own.
+pub type Values<const A: usize> = [i32; A];
 
 /// Pixels in a run at most: a power of two between its ends, and the last one.
 pub const LONGEST_RUN: usize = 17;
@@ -14,9 +15,15 @@ pub const LONGEST_RUN: usize = 17;
 /// Fractional bits of an attribute in a [`Run`].
 pub const RUN_FRACTION: u32 = 14;
 
+/// What is done with runs. Not a closure, because that is not inlined where it is called.
+pub trait Shade<const A: usize> {
+    /// Draws one.
+    fn run(&self, run: Run<'_, A>);
+}
+
 /// Pixels side by side, with what is drawn there.
 #[derive(Debug)]
-pub struct Run<'t> {
+pub struct Run<'t, const A: usize> {
     /// Palette indices.
     pub indices: &'t mut [u8],
     /// Depths; as many.
@@ -26,28 +33,37 @@ pub struct Run<'t> {
     /// Depth of the first pixel, 16.16, and its change a pixel.
     pub depth: (u32, i32),
     /// Attributes of the first pixel, [`RUN_FRACTION`] fractional bits.
-    pub from: Values,
-    /// Their change a pixel.
-    pub step: Values,
+    pub from: Values<A>,
+    /// Their change from the first to the second.
+    pub step: Values<A>,
+    /// How that changes from pixel to pixel.
+    pub bend: Values<A>,
     /// Change of the first two from row to row at the first pixel, where asked for.
     pub down: [i32; 2],
 }
 
-impl Run<'_> {
+impl<const A: usize> Run<'_, A> {
+    /// The same run.
+    pub fn again(&mut self) -> Run<'_, A> {
+        Run {
+            indices: self.indices,
+            depths: self.depths,
+            ..*self
+        }
+    }
+
     /// Goes through the pixels that are nearer than what stands there. `shade` gets
     /// the pixel's number in the run, the first `N` attributes and the index there,
     /// and gives the new one; the depth follows if `solid`.
     #[inline(always)]
     pub fn draw<const N: usize>(
-        &mut self,
+        self,
         solid: bool,
         mut shade: impl FnMut(i32, &[i32; N], u8) -> Option<u8>,
     ) {
         let (mut z, dz) = self.depth;
-        let (mut values, mut steps) = ([0; N], [0; N]);
-        values.iter_mut().zip(self.from).for_each(|(v, c)| *v = c);
-        steps.iter_mut().zip(self.step).for_each(|(v, c)| *v = c);
-        let pixels = self.indices.iter_mut().zip(self.depths.iter_mut());
+        let [mut values, mut steps, bends] = [self.from, self.step, self.bend].map(first::<A, N>);
+        let pixels = self.indices.iter_mut().zip(self.depths);
         for ((pixel, depth), number) in pixels.zip(0..) {
             let here = (z >> 16) as Depth;
             if here > *depth
@@ -59,9 +75,18 @@ impl Run<'_> {
                 }
             }
             z = z.wrapping_add_signed(dz);
-            for (value, step) in values.iter_mut().zip(steps) {
-                *value = value.wrapping_add(step);
+            for (value, (step, bend)) in values.iter_mut().zip(steps.iter_mut().zip(bends)) {
+                *value = value.wrapping_add(*step);
+                *step = step.wrapping_add(bend);
             }
         }
     }
+}
+
+/// The first of some values.
+#[inline(always)]
+fn first<const A: usize, const N: usize>(values: Values<A>) -> Values<N> {
+    let mut first = [0; N];
+    first.iter_mut().zip(values).for_each(|(v, c)| *v = c);
+    first
 }

@@ -3,13 +3,13 @@
 //!
 //! Each attribute times 1 / distance, and 1 / distance itself, are linear on the
 //! screen. They are held in 64 bits, exact to 2^-28 of their largest value, and
-//! divided at the ends of runs so short that a straight line between does not show
-//! (Heckbert and Moreton, "Interpolation for polygon texture mapping and shading",
+//! divided at the ends of runs so short that a parabola between does not show (after
+//! Heckbert and Moreton, "Interpolation for polygon texture mapping and shading",
 //! 1991).
 
 use super::corners::{Corner, Corners, SurfaceKind};
 use super::gradient::places;
-use super::run::{MOST_ATTRIBUTES, RUN_FRACTION, Run};
+use super::run::{Run, Shade};
 use super::scan::{Shape, Span, scan};
 use super::sliver::{mix, weights};
 use super::surface_planes::Surface;
@@ -21,13 +21,13 @@ use crate::vertex::ScreenVertex;
 /// Draws a triangle if it shows one of `sides`, run by run; `corners` is asked for
 /// only then, in the order of the vertices.
 #[inline(never)]
-pub fn draw_surface(
+pub fn draw_surface<const A: usize>(
     target: &mut Target<'_>,
     triangle: [&ScreenVertex; 3],
     sides: Sides,
     kind: SurfaceKind,
-    corners: &mut dyn FnMut() -> [Corner; 3],
-    shade: &dyn Fn(&mut Run<'_>),
+    corners: &mut dyn FnMut() -> [Corner<A>; 3],
+    shade: &impl Shade<A>,
 ) -> Drawn {
     let seen = match shown(target, triangle, sides) {
         Ok(seen) => seen,
@@ -58,7 +58,12 @@ pub fn draw_surface(
 /// Hands on a span of a sliver, pixel by pixel.
 #[cold]
 #[inline(never)]
-fn sliver(span: Span<'_>, shape: &Shape<'_>, corners: &Corners, shade: &dyn Fn(&mut Run<'_>)) {
+fn sliver<const A: usize>(
+    span: Span<'_>,
+    shape: &Shape<'_>,
+    corners: &Corners<A>,
+    shade: &impl Shade<A>,
+) {
     let (places, area) = places(shape.sorted, shape.area);
     let depths = shape.sorted.map(|v| i64::from(v.z().to_bits()));
     let Span {
@@ -71,19 +76,20 @@ fn sliver(span: Span<'_>, shape: &Shape<'_>, corners: &Corners, shade: &dyn Fn(&
         let weights = weights(places, area, [column, row]);
         let z = mix(depths, weights);
         let weights = corners.in_space(weights);
-        let mut from = [0; MOST_ATTRIBUTES];
+        let mut from = [0; A];
         for (which, value) in from.iter_mut().enumerate().take(corners.kind.attributes) {
             let all = corners.attributes.each_ref();
             let all = all.map(|all| i64::from(all.get(which).copied().unwrap_or(0)));
-            *value = mix(all.map(|v| v << RUN_FRACTION), weights) as i32;
+            *value = mix(all, weights) as i32;
         }
-        shade(&mut Run {
+        shade.run(Run {
             indices: index,
             depths: depth,
             place: [column, row],
             depth: (((z as u32) << 12).wrapping_add(1 << 15), 0),
             from,
-            step: [0; MOST_ATTRIBUTES],
+            step: [0; A],
+            bend: [0; A],
             down: [0; 2],
         });
     }

@@ -1,14 +1,11 @@
 //! Depth, nearness and attributes of a surface's triangle, row by row and run by run.
 
 use super::attributes::Attributes;
-use super::corners::{AFFINE_FRACTION, Corners, SurfaceKind};
+use super::corners::{Corners, SurfaceKind};
 use super::gradient::Plane;
-use super::run::{LONGEST_RUN, MOST_ATTRIBUTES, RUN_FRACTION, Run, Values};
+use super::run::{LONGEST_RUN, MOST_ATTRIBUTES, RUN_FRACTION, Run, Shade, Values};
 use super::scan::{Shape, Span, Stepped};
 use crate::math::{HALF_PX, Reciprocal, SUBPX_BITS, mul_high, reciprocal};
-
-/// From a [`Linear`] of such an attribute to [`RUN_FRACTION`].
-const AFFINE_DOWN: u32 = 16 + AFFINE_FRACTION - RUN_FRACTION;
 
 /// A quantity that is linear on the screen, at the centre of one pixel, and its
 /// change a pixel: 16 fractional bits.
@@ -34,29 +31,37 @@ impl Linear {
         Some(Self { at, x, y })
     }
 
-    /// The whole part `columns` to the right.
-    fn at(&self, columns: i32) -> i64 {
-        self.at.wrapping_add(self.x.wrapping_mul(columns.into()))
+    /// The whole part `columns` (below 2^14 either way) to the right. In two 32-bit
+    /// halves: what lies inside the triangle is in range.
+    #[inline(always)]
+    fn at(&self, columns: i32) -> i32 {
+        let low = |v: i64| (v & 0xffff) as i32;
+        let high = |v: i64| (v >> 16) as i32;
+        let rest = low(self.x) * columns + low(self.at);
+        high(self.at)
+            .wrapping_add(high(self.x).wrapping_mul(columns))
+            .wrapping_add(rest >> 16)
     }
 }
 
 /// A triangle's depth, nearness and attributes on one row.
 #[derive(Clone, Copy)]
-pub(super) struct Surface {
+pub(super) struct Surface<const A: usize> {
     depth: Attributes,
     nearness: Linear,
-    attributes: [Linear; MOST_ATTRIBUTES],
+    attributes: [Linear; A],
     /// What the attributes were divided by.
-    shifts: [i8; MOST_ATTRIBUTES],
+    shifts: [i8; A],
     kind: SurfaceKind,
     perspective: bool,
 }
 
-impl Stepped for Surface {
+impl<const A: usize> Stepped for Surface<A> {
     fn advance(&mut self) {
         self.depth.advance();
         self.nearness.at = self.nearness.at.wrapping_add(self.nearness.y);
-        for attribute in self.attributes.iter_mut().take(self.kind.attributes) {
+        let count = self.count();
+        for attribute in self.attributes.iter_mut().take(count) {
             attribute.at = attribute.at.wrapping_add(attribute.y);
         }
     }
@@ -65,11 +70,12 @@ impl Stepped for Surface {
 /// Pixels from a run's first to the next one's at most, a power of two.
 const RUN: i32 = LONGEST_RUN as i32 - 1;
 
-/// `2^31 / n`, rounded to nearest.
-const OVER: [i32; RUN as usize] = {
-    let mut table = [0; RUN as usize];
+/// `2^31 / n`, rounded to nearest; for 1, as near to it as fits.
+const OVER: [i32; RUN as usize + 1] = {
+    let mut table = [0; RUN as usize + 1];
     let mut n = 2;
-    while n < RUN as usize {
+    table[1] = i32::MAX;
+    while n <= RUN as usize {
         #[expect(clippy::indexing_slicing, reason = "evaluated by the compiler")]
         {
             table[n] = (((1u64 << 32) / n as u64 + 1) >> 1) as i32;
@@ -79,18 +85,18 @@ const OVER: [i32; RUN as usize] = {
     table
 };
 
-impl Surface {
+impl<const A: usize> Surface<A> {
     pub(super) fn new(
         plane: &Plane,
         shape: &Shape<'_>,
-        corners: &Corners,
+        corners: &Corners<A>,
         row: i32,
     ) -> Option<Self> {
         let mut surface = Self {
             depth: Attributes::depth(plane, shape, row)?,
             nearness: Linear::default(),
-            attributes: [Linear::default(); MOST_ATTRIBUTES],
-            shifts: [0; MOST_ATTRIBUTES],
+            attributes: [Linear::default(); A],
+            shifts: [0; A],
             kind: corners.kind,
             perspective: corners.perspective,
         };
@@ -108,20 +114,31 @@ impl Surface {
         Some(surface)
     }
 
+    /// How many attributes there are: known beforehand to kernels of their own.
+    #[inline(always)]
+    fn count(&self) -> usize {
+        if A < MOST_ATTRIBUTES {
+            A
+        } else {
+            self.kind.attributes
+        }
+    }
+
     /// Hands on a span in runs.
-    pub(super) fn runs(&self, span: Span<'_>, column: i32, shade: &dyn Fn(&mut Run<'_>)) {
+    #[inline(always)]
+    pub(super) fn runs(&self, span: Span<'_>, column: i32, shade: &impl Shade<A>) {
         let Span {
             mut indices,
             mut depths,
             place: [mut left, row],
         } = span;
         let z = &self.depth.z;
-        let mut from = self.values(left - column);
+        let mut from = self.here(left - column, &Here::default());
         loop {
             let last = indices.len() as i32 - 1;
-            let pixels = self.run(left - column).min(last);
-            let to = self.values(left - column + pixels);
-            let step = steps(&from, &to, pixels, self.kind.attributes);
+            let pixels = self.run(&from).min(last);
+            let to = self.here(left - column + pixels, &from);
+            let [step, bend] = self.steps(&from, &to, pixels);
             // The last run has its last pixel too.
             let count = if pixels == last { last + 1 } else { pixels };
             let Some((here, rest)) = indices.split_at_mut_checked(count as usize) else {
@@ -131,15 +148,16 @@ impl Surface {
             else {
                 return;
             };
-            shade(&mut Run {
+            shade.run(Run {
                 indices: here,
                 depths: here_depths,
                 place: [left, row],
                 depth: (z.at(left - column), z.gradient.x),
-                from,
+                from: from.values,
                 step,
+                bend,
                 down: if self.kind.footprint {
-                    self.down(left - column, &from)
+                    self.down(&from)
                 } else {
                     [0; 2]
                 },
@@ -151,63 +169,121 @@ impl Surface {
         }
     }
 
-    /// How many pixels a straight line is good for: nearness changes by less than
-    /// a 16th (of outlines a 64th), so that the line is off by less than a 64th (a 256th)
+    /// How many pixels a parabola is good for: nearness changes by less than a quarter
+    /// (of outlines an 8th), so that the parabola is off by less than a 200th (an 800th)
     /// of the run's change.
-    fn run(&self, columns: i32) -> i32 {
+    #[inline(always)]
+    fn run(&self, here: &Here<A>) -> i32 {
         if !self.perspective {
             return RUN;
         }
-        let here = self.nearness.at(columns);
-        let change = self.nearness.x.unsigned_abs();
-        let room = here.unsigned_abs() >> if self.kind.outlined { 6 } else { 4 };
-        let mut pixels = RUN;
-        while pixels > 1 && change.saturating_mul(pixels as u64) > room {
-            pixels >>= 1;
+        // Rounded up.
+        let change = (self.nearness.x.unsigned_abs() >> 16) as u32 + 1;
+        let room = here.nearness >> if self.kind.outlined { 3 } else { 2 };
+        let mut bits = RUN.ilog2();
+        while bits > 0 && change > room >> bits {
+            bits -= 1;
         }
-        pixels
+        1 << bits
     }
 
-    /// The attributes `columns` to the right, [`RUN_FRACTION`] fractional bits.
-    fn values(&self, columns: i32) -> Values {
-        let mut values = [0; MOST_ATTRIBUTES];
+    /// What is `columns` to the right; along many spans nearness is what it was before.
+    #[inline(always)]
+    fn here(&self, columns: i32, before: &Here<A>) -> Here<A> {
+        let mut values = [0; A];
         let all = self.attributes.iter().zip(self.shifts);
-        let all = all.take(self.kind.attributes).zip(&mut values);
-        if !self.perspective {
-            for ((attribute, _), value) in all {
-                *value = (attribute.at(columns) >> AFFINE_DOWN) as i32;
+        let all = all.take(self.count()).zip(&mut values);
+        let (mut nearness, mut recip) = (before.nearness, before.recip);
+        if self.perspective {
+            nearness = self.nearness.at(columns).max(1) as u32;
+            if nearness != before.nearness {
+                recip = reciprocal(nearness);
             }
-            return values;
+            for ((attribute, shift), value) in all {
+                *value = quotient(attribute.at(columns), recip, shift);
+            }
+        } else {
+            for ((attribute, _), value) in all {
+                *value = attribute.at(columns);
+            }
         }
-        let recip = reciprocal(((self.nearness.at(columns) >> 16) as i32).max(1) as u32);
-        for ((attribute, shift), value) in all {
-            let product = (attribute.at(columns) >> 16) as i32;
-            *value = quotient(product, recip, shift);
+        Here {
+            nearness,
+            recip,
+            values,
         }
-        values
     }
 
     /// The change of the first two from row to row: (P' - a N') / N for the
     /// attribute a = P / N.
-    fn down(&self, columns: i32, from: &Values) -> [i32; 2] {
+    fn down(&self, here: &Here<A>) -> [i32; 2] {
         let mut down = [0; 2];
-        let all = self.attributes.iter().zip(self.shifts).zip(from);
+        let all = self.attributes.iter().zip(self.shifts).zip(here.values);
         if !self.perspective {
             for (((attribute, _), _), down) in all.zip(&mut down) {
-                *down = (attribute.y >> AFFINE_DOWN) as i32;
+                *down = (attribute.y >> 16) as i32;
             }
             return down;
         }
-        let recip = reciprocal(((self.nearness.at(columns) >> 16) as i32).max(1) as u32);
         let narrow = |v: i64| (v >> 16).clamp(-(1 << 30), 1 << 30) as i32;
         // How nearness changes in its own terms, 14 fractional bits.
-        let ratio = quotient(narrow(self.nearness.y), recip, 1);
-        for (((attribute, shift), from), down) in all.zip(&mut down) {
-            let own = quotient(narrow(attribute.y), recip, shift);
-            let lens = ((i64::from(*from) * i64::from(ratio)) >> RUN_FRACTION) as i32;
+        let ratio = quotient(narrow(self.nearness.y), here.recip, 1);
+        for (((attribute, shift), value), down) in all.zip(&mut down) {
+            let own = quotient(narrow(attribute.y), here.recip, shift);
+            let lens = ((i64::from(value) * i64::from(ratio)) >> RUN_FRACTION) as i32;
             *down = own.wrapping_sub(lens);
         }
         down
+    }
+
+    /// The first pixel's change and how it changes, over `pixels` steps: a parabola with
+    /// the ends and the middle of P / N, which is off a straight line by
+    /// `change * t (1 - t) (N1 - N0) / N` after the part t of the run.
+    #[inline(always)]
+    fn steps(&self, from: &Here<A>, to: &Here<A>, pixels: i32) -> [Values<A>; 2] {
+        let (mut steps, mut bends) = ([0; A], [0; A]);
+        let ends = from.values.iter().zip(&to.values);
+        let all = steps.iter_mut().zip(&mut bends).zip(ends);
+        let all = all.take(self.count());
+        // In the middle, 14 fractional bits: from the end, where 1 / N is known. One step
+        // has no middle.
+        let nearer = to.nearness.wrapping_sub(from.nearness) as i32;
+        let ratio = quotient(nearer, to.recip, 1);
+        // r / (1 - r / 2), by its first three terms.
+        let square = ratio.wrapping_mul(ratio) >> (RUN_FRACTION + 1);
+        let cube = square.wrapping_mul(ratio) >> (RUN_FRACTION + 1);
+        let ratio = ratio.wrapping_add(square).wrapping_add(cube);
+        let ratio = if pixels == 1 { 0 } else { ratio };
+        let over = OVER.get(pixels as usize).copied().unwrap_or(0);
+        let part = |v: i32| mul_high(v, over) << 1;
+        for ((step, bend), (from, to)) in all {
+            let change = to.wrapping_sub(*from);
+            let off = mul_high(change, ratio << (31 - RUN_FRACTION)) << 1;
+            let own = part(off);
+            *step = part(change + off - own);
+            *bend = part(-own) << 1;
+        }
+        [steps, bends]
+    }
+}
+
+/// A surface at one pixel.
+#[derive(Clone, Copy)]
+struct Here<const A: usize> {
+    /// 1 / distance, and its reciprocal: in perspective alone.
+    nearness: u32,
+    recip: Reciprocal,
+    /// The attributes, [`RUN_FRACTION`] fractional bits.
+    values: Values<A>,
+}
+
+impl<const A: usize> Default for Here<A> {
+    fn default() -> Self {
+        Self {
+            nearness: 0,
+            recip: Reciprocal::default(),
+            values: [0; A],
+        }
     }
 }
 
@@ -217,25 +293,11 @@ impl Surface {
 fn quotient(product: i32, recip: Reciprocal, shift: i8) -> i32 {
     // product * 2^shift / (2 * half): high * 2^(32 + shift + recip.shift - 62 - 1).
     let high = mul_high(product, recip.mantissa);
+    // Within -31..=31, as shifts are.
     let up = i32::from(shift) + recip.shift as i32 - 31 + RUN_FRACTION as i32;
     if up >= 0 {
-        high << up.min(31)
+        high << (up & 31)
     } else {
-        high >> up.wrapping_neg().min(31)
+        high >> (up.wrapping_neg() & 31)
     }
-}
-
-/// The change a pixel over `pixels` steps.
-fn steps(from: &Values, to: &Values, pixels: i32, count: usize) -> Values {
-    let mut step = [0; MOST_ATTRIBUTES];
-    let over = OVER.get(pixels as usize).copied().unwrap_or(0);
-    for (step, (from, to)) in step.iter_mut().zip(from.iter().zip(to)).take(count) {
-        let change = to.wrapping_sub(*from);
-        *step = match pixels {
-            ..=1 => change,
-            RUN => change >> RUN.ilog2(),
-            _ => mul_high(change, over) << 1,
-        };
-    }
-    step
 }

@@ -11,6 +11,7 @@ use super::surface::Need;
 use crate::light::{Lit, Parts, sum};
 use crate::math::{Unit3, dot};
 use crate::palette::Palette;
+use crate::scene::NO_TEXEL;
 use crate::scene::layout::BASES;
 use crate::scene::{Gradient, Material, Optics, RaySettings, Scene, Shading};
 use crate::shade::{Lookup, Sampler, on_texel};
@@ -194,7 +195,7 @@ impl Tracer<'_> {
                 None => plain,
             }
         } else {
-            let base = sampler.nearest(&path, place);
+            let base = sampler.nearest(&path, place).unwrap_or(NO_TEXEL);
             (sum(parts.body, parts.gloss), Some(base % BASES as u8))
         }
     }

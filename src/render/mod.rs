@@ -4,6 +4,7 @@
 //! [`Display`](crate::display::Display), and [`FrameStats`].
 
 mod actors;
+mod corner_source;
 mod draw;
 mod frame;
 mod lines;
@@ -13,6 +14,7 @@ mod pick;
 mod scratch;
 mod stats;
 mod surface;
+mod surface_runs;
 mod triangles;
 mod viewports;
 mod visible_list;

@@ -65,7 +65,7 @@ fn index(lookup: Lookup<'_>, lit: Lit, offset: i32) -> u8 {
         }
         Lookup::Texel(shades, base) => {
             let [level, ..] = lit;
-            let row = ((usize::from(level) + 32) >> 8).min(63);
+            let row = (usize::from(level) + 32) >> 8;
             #[expect(clippy::indexing_slicing, reason = "held below the length")]
             shades[(row * BASES + usize::from(base)) % TEXTURE_SHADES]
         }

@@ -4,11 +4,13 @@
 
 mod bayer;
 mod lookup;
+mod strip;
 mod surface;
 mod texture;
 mod transparency;
 
 pub use lookup::{Lookup, Pixel, dithered};
+pub use strip::Strip;
 pub use surface::{Attributes, Lighting, Surface, on_texel};
-pub use texture::{Path, Sampler};
+pub use texture::{Path, Places, Sampler};
 pub use transparency::{Blend, ScreenDoor, blended};

@@ -1,37 +1,106 @@
 //! Texels.
 
+use super::strip::Cut;
 use crate::raster::{RUN_FRACTION, Run};
 use crate::scene::layout::BASES;
 use crate::scene::{Coordinates, NO_TEXEL, Scene, Texture, Wrap};
 
 /// Fractional bits of a place in a texture.
-const PLACE_BITS: i32 = 16;
+pub(super) const PLACE_BITS: i32 = 16;
+
+/// A coordinate has 16 bits, an attribute so many more.
+const FRACTION: i32 = RUN_FRACTION as i32;
+
+/// A texture has at most so many copies.
+const COPIES: usize = 11;
 
 /// A texture on a mesh: from attributes to texels.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler<'a> {
     /// The texture.
     pub texture: Texture,
-    texels: &'a [u8],
+    /// The picture and its smaller copies.
+    copies: [Copied<'a>; COPIES],
     bases: &'a [[u8; 3]],
-    /// From an attribute of a run to a place: a left shift, negative: right.
-    shifts: [i32; 2],
+    /// From a mesh's coordinate to an attribute: a left shift, negative: right.
+    coordinates: [i32; 2],
+    /// From an attribute of a run to a place: a left shift, mostly 0.
+    shifts: [u32; 2],
     /// The mesh's origin as a place.
     origin: [i64; 2],
 }
 
-/// A run's way through one copy of a texture, in places of that copy.
+/// One copy of a picture.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Copied<'a> {
+    pub texels: &'a [u8],
+    /// `log2` of its size.
+    pub size: [u32; 2],
+    /// From places in the picture to a texel's number, see [`Strip`](super::Strip).
+    pub cut: Cut,
+}
+
+/// Numbers that go along a parabola from pixel to pixel: two are places in the picture,
+/// in texels with [`PLACE_BITS`] fractional bits, modulo 2^32.
+#[derive(Clone, Copy, Debug)]
+pub struct Places<const N: usize = 2> {
+    /// The first pixel's.
+    pub(super) from: [i32; N],
+    /// The change to the second.
+    pub(super) step: [i32; N],
+    /// How that changes.
+    pub(super) bend: [i32; N],
+}
+
+impl<const N: usize> Places<N> {
+    /// That of the `number`th pixel.
+    #[inline(always)]
+    pub fn at(&self, number: i32) -> [i32; N] {
+        let before = (number * (number - 1)) >> 1;
+        self.along(number, before)
+    }
+
+    #[inline(always)]
+    fn along(&self, steps: i32, bends: i32) -> [i32; N] {
+        let mut at = self.from;
+        for (at, (step, bend)) in at.iter_mut().zip(self.step.iter().zip(self.bend)) {
+            *at = at
+                .wrapping_add(step.wrapping_mul(steps))
+                .wrapping_add(bend.wrapping_mul(bends));
+        }
+        at
+    }
+
+    /// The parabola as straight lines of four pixels each, which lie as much above it as
+    /// below: its step is that of the first four, its bend the change to the next four.
+    #[inline(always)]
+    pub(super) fn in_fours(mut self) -> Self {
+        let all = self.from.iter_mut().zip(&mut self.step).zip(&mut self.bend);
+        for ((from, step), bend) in all {
+            *from = from.wrapping_sub(*bend).wrapping_sub(*bend >> 2);
+            *step = step.wrapping_add(*bend).wrapping_add(*bend >> 1);
+            *bend <<= 2;
+        }
+        self
+    }
+
+    /// That of the `number`th pixel along lines of [`Places::in_fours`].
+    #[inline(always)]
+    pub fn at_in_fours(&self, number: i32) -> [i32; N] {
+        let before = number >> 2;
+        let bends = 2 * before * (before - 1) + before * (number & 3);
+        self.in_fours().along(number, bends)
+    }
+}
+
+/// A run's way through one copy of a texture.
 #[derive(Clone, Copy, Debug)]
 pub struct Path<'a> {
-    texels: &'a [u8],
-    /// `log2` of the copy's size.
-    size: [u32; 2],
-    /// The first pixel's place, [`PLACE_BITS`] fractional bits.
-    from: [i32; 2],
-    /// The change a pixel.
-    step: [i32; 2],
-    /// From the picture's places to the copy's.
-    down: [u32; 2],
+    copy: Copied<'a>,
+    /// From the picture's places to the copy's: right shifts.
+    down: [i32; 2],
+    /// Of its pixels.
+    pub places: Places,
 }
 
 impl<'a> Sampler<'a> {
@@ -50,96 +119,130 @@ impl<'a> Sampler<'a> {
             }
         };
         let [u, v] = coordinates.origin;
-        let first = texture.first as usize;
-        let end = first.saturating_add(texture.texels() as usize);
+        let mut copies = [Copied::default(); COPIES];
+        let mut texels = scene.texels().get(texture.first as usize..);
+        for (number, copy) in (0..).zip(&mut copies).take(texture.copies.into()) {
+            copy.size = texture.copy_size(number);
+            let [w, h] = copy.size;
+            copy.cut = Cut::new(copy.size, texture.size.map(u32::from));
+            let own = texels.and_then(|all| all.split_at_checked(1 << (w + h).min(24)));
+            copy.texels = own.map_or(&[], |(own, _)| own);
+            texels = own.map(|(_, rest)| rest);
+        }
         Self {
             texture,
-            texels: scene.texels().get(first..end).unwrap_or_default(),
+            copies,
             bases: scene.bases(),
-            shifts: [width, height].map(|size| to_place(size) - RUN_FRACTION as i32),
+            coordinates: [width, height].map(|size| to_place(size).min(FRACTION)),
+            shifts: [width, height].map(|size| (to_place(size) - FRACTION).clamp(0, 31) as u32),
             origin: [origin(u, width), origin(v, height)],
         }
     }
 
     /// The way of a run, whose first two attributes are texture coordinates.
-    #[inline(always)]
-    pub fn path(&self, run: &Run<'_>) -> Path<'a> {
-        let ([u, v, ..], [du, dv, ..]) = (run.from, run.step);
-        let step = self.each([du, dv], moved);
-        let mut from = [0; 2];
-        for (which, (from, c)) in from.iter_mut().zip([u, v]).enumerate() {
-            let shift = self.shifts.get(which).copied().unwrap_or(0);
-            let origin = self.origin.get(which).copied().unwrap_or(0);
-            let place = wide(c, shift) + origin;
-            // What repeats may wrap: its period divides 2^32.
-            *from = match self.texture.wrap {
-                Wrap::Clamp => place.clamp(-(1 << 30), 1 << 30) as i32,
-                Wrap::Repeat | Wrap::Mirror => place as i32,
-            };
-        }
-        let copy = self.copy(step, run);
-        let size = self.texture.copy_size(copy);
-        let [w, h] = self.texture.size.map(u32::from);
-        let [cw, ch] = size;
-        let down = [w - cw.min(w), h - ch.min(h)];
-        let [[fx, fy], [sx, sy], [dx, dy]] = [from, step, down.map(|d| d as i32)];
-        let mut first = 0usize;
-        for before in 0..copy {
-            let [w, h] = self.texture.copy_size(before);
-            first += 1 << (w + h).min(24);
-        }
+    pub fn path<const A: usize>(&self, run: &Run<'_, A>) -> Path<'a> {
+        let places = self.places(run);
+        let copy = self.copy(places.step, run.down);
+        let ([w, h], [cw, ch]) = (self.texture.size, copy.size);
         Path {
-            texels: self.texels.get(first..).unwrap_or_default(),
-            size,
-            from: [fx >> dx.min(31), fy >> dy.min(31)],
-            step: [sx >> dx.min(31), sy >> dy.min(31)],
-            down,
+            copy,
+            down: [i32::from(w) - cw as i32, i32::from(h) - ch as i32].map(|d| d & 31),
+            places,
         }
     }
 
-    /// The path and the place in it of one point, whose texture coordinates are
-    /// attributes with 8 fractional bits: in the largest copy.
+    /// The places of a run's pixels.
+    #[inline(always)]
+    pub(super) fn places<const A: usize>(&self, run: &Run<'_, A>) -> Places {
+        let [from, step, bend] = [run.from, run.step, run.bend].map(coordinates);
+        let [x, y] = self.origin;
+        let first = match self.texture.wrap {
+            // What repeats may wrap: its period divides 2^32.
+            Wrap::Repeat | Wrap::Mirror => {
+                let [u, v] = self.to_places(from);
+                [u.wrapping_add(x as i32), v.wrapping_add(y as i32)]
+            }
+            Wrap::Clamp => {
+                let ([u, v], [across, down]) = (from.map(i64::from), self.shifts);
+                [(u << across) + x, (v << down) + y]
+                    .map(|place| place.clamp(-(1 << 30), 1 << 30) as i32)
+            }
+        };
+        Places {
+            from: first,
+            step: self.to_places(step),
+            bend: self.to_places(bend),
+        }
+    }
+
+    /// The path and the place in it of one point, whose texture coordinates are the
+    /// mesh's with 8 fractional bits: in the largest copy.
     pub fn point(&self, coordinates: [i32; 2]) -> (Path<'a>, [i32; 2]) {
-        let mut from = [0; 2];
-        for (which, (from, c)) in from.iter_mut().zip(coordinates).enumerate() {
-            let shift = self.shifts.get(which).copied().unwrap_or(0);
-            let origin = self.origin.get(which).copied().unwrap_or(0);
-            let place = wide(c, shift + RUN_FRACTION as i32 - 8) + origin;
-            *from = match self.texture.wrap {
+        let (down, up) = (self.coordinates, self.shifts);
+        let place = |c: i32, down: i32, up: u32, origin: i64| {
+            let shift = down + up as i32 - 8;
+            let c = i64::from(c);
+            let place = if shift >= 0 {
+                c << shift.min(31)
+            } else {
+                c >> shift.wrapping_neg().min(31)
+            };
+            let place = place + origin;
+            match self.texture.wrap {
                 Wrap::Clamp => place.clamp(-(1 << 30), 1 << 30) as i32,
                 Wrap::Repeat | Wrap::Mirror => place as i32,
-            };
-        }
-        let path = Path {
-            texels: self.texels,
-            size: self.texture.copy_size(0),
+            }
+        };
+        let ([u, v], [x, y]) = (coordinates, self.origin);
+        let ([u_down, v_down], [u_up, v_up]) = (down, up);
+        let from = [place(u, u_down, u_up, x), place(v, v_down, v_up, y)];
+        let [copy, ..] = self.copies;
+        let places = Places {
             from,
             step: [0; 2],
+            bend: [0; 2],
+        };
+        let path = Path {
+            copy,
             down: [0; 2],
+            places,
         };
         (path, from)
     }
 
-    fn each(&self, values: [i32; 2], f: impl Fn(i32, i32) -> i32) -> [i32; 2] {
-        let mut out = [0; 2];
-        for (out, (c, shift)) in out.iter_mut().zip(values.into_iter().zip(self.shifts)) {
-            *out = f(c, shift);
-        }
-        out
+    /// Attributes or their changes as places, modulo 2^32.
+    #[inline(always)]
+    fn to_places(&self, [u, v]: [i32; 2]) -> [i32; 2] {
+        let [across, down] = self.shifts;
+        [u << (across & 31), v << (down & 31)]
+    }
+
+    /// A vertex's coordinates as attributes: places as far as their range goes.
+    pub fn attributes(&self, coordinates: [i16; 2]) -> [i32; 2] {
+        let ([u, v], [across, down]) = (coordinates.map(i32::from), self.coordinates);
+        let moved = |c: i32, shift: i32| {
+            if shift >= 0 {
+                c << shift
+            } else {
+                c >> shift.wrapping_neg().min(31)
+            }
+        };
+        [moved(u, across), moved(v, down)]
     }
 
     /// The copy whose texels are nearest to a pixel's size: number
     /// `floor(log2(r) + 1/2)`, with r the most texels that a pixel goes along one
     /// axis of picture and screen.
     #[inline(always)]
-    fn copy(&self, step: [i32; 2], run: &Run<'_>) -> u32 {
+    pub(super) fn copy(&self, step: [i32; 2], down: [i32; 2]) -> Copied<'a> {
         // sqrt(2) texels.
         const LEAST: u32 = 92682;
+        let [first, ..] = self.copies;
         let last = u32::from(self.texture.copies).saturating_sub(1);
         if last == 0 {
-            return 0;
+            return first;
         }
-        let down = self.each(run.down, moved);
+        let down = self.to_places(down);
         let [a, b] = step.map(i32::unsigned_abs);
         let [c, d] = down.map(i32::unsigned_abs);
         let most = a.max(b).max(c).max(d);
@@ -147,26 +250,26 @@ impl<'a> Sampler<'a> {
         while copy < last && (most >> copy.min(31)) >= LEAST {
             copy += 1;
         }
-        copy
+        self.copies.get(copy as usize).copied().unwrap_or(first)
     }
 
-    /// The base colour at a place, [`NO_TEXEL`] where nothing is seen.
+    /// The base colour at a place of the picture; `None` where nothing is seen.
     #[inline(always)]
-    pub fn nearest(&self, path: &Path<'_>, [x, y]: [i32; 2]) -> u8 {
-        self.texel(path, [x >> PLACE_BITS, y >> PLACE_BITS])
+    pub fn nearest(&self, path: &Path<'_>, [x, y]: [i32; 2]) -> Option<u8> {
+        let [across, down] = path.down;
+        let texel = self.texel(path, [x >> across >> PLACE_BITS, y >> down >> PLACE_BITS]);
+        (texel != NO_TEXEL).then_some(texel)
     }
 
-    /// The colour at a place, 0..=255 each; `None` where nothing is seen.
+    /// The colour at a place of the picture, 0..=255 each; `None` where nothing is seen.
     pub fn colour(&self, path: &Path<'_>, place: [i32; 2]) -> Option<[u32; 3]> {
-        let nearest = self.nearest(path, place);
-        if nearest == NO_TEXEL {
-            return None;
-        }
+        let nearest = self.nearest(path, place)?;
         if !self.texture.bilinear {
             return Some(self.base(nearest));
         }
-        // From the centres of the texels around it, in 16ths: the small blend.
-        let [x, y] = place.map(|c| c.wrapping_sub(1 << (PLACE_BITS - 1)));
+        // From the centres of the texels around it.
+        let ([x, y], [across, down]) = (place, path.down);
+        let [x, y] = [x >> across, y >> down].map(|c| c.wrapping_sub(1 << (PLACE_BITS - 1)));
         let (i, j) = (x >> PLACE_BITS, y >> PLACE_BITS);
         let [wx, wy] = [x, y].map(|c| ((c >> (PLACE_BITS - BLEND_BITS)) & BLEND_MASK) as u32);
         let mut blend = [0; 3];
@@ -201,10 +304,10 @@ impl<'a> Sampler<'a> {
     /// The texel of a column and a row, wrapped.
     #[inline(always)]
     fn texel(&self, path: &Path<'_>, [i, j]: [i32; 2]) -> u8 {
-        let [w, h] = path.size;
+        let [w, h] = path.copy.size;
         let (x, y) = (self.wrapped(i, w), self.wrapped(j, h));
         let at = (y << w | x) as usize;
-        path.texels.get(at).copied().unwrap_or(NO_TEXEL)
+        path.copy.texels.get(at).copied().unwrap_or(NO_TEXEL)
     }
 
     #[inline(always)]
@@ -227,43 +330,11 @@ impl<'a> Sampler<'a> {
 }
 
 /// Bits of a weight of the blend of four texels.
-const BLEND_BITS: i32 = 4;
+const BLEND_BITS: i32 = 8;
 const BLEND_MASK: i32 = (1 << BLEND_BITS) - 1;
 
-impl Path<'_> {
-    /// The place of the `number`th pixel, in the copy.
-    #[inline(always)]
-    pub fn at(&self, number: i32) -> [i32; 2] {
-        let ([x, y], [dx, dy]) = (self.from, self.step);
-        [
-            x.wrapping_add(dx.wrapping_mul(number)),
-            y.wrapping_add(dy.wrapping_mul(number)),
-        ]
-    }
-
-    /// The first pixel's place and the change a pixel.
-    pub fn start(&self) -> ([i32; 2], [i32; 2]) {
-        (self.from, self.step)
-    }
-
-    /// A place of the copy as one of the picture.
-    pub fn in_picture(&self, [x, y]: [i32; 2]) -> [i32; 2] {
-        let [dx, dy] = self.down;
-        [x.wrapping_shl(dx), y.wrapping_shl(dy)]
-    }
-}
-
-/// An attribute or its change as a place, modulo 2^32.
+/// The first two of some values.
 #[inline(always)]
-fn moved(c: i32, shift: i32) -> i32 {
-    wide(c, shift) as i32
-}
-
-#[inline(always)]
-fn wide(c: i32, shift: i32) -> i64 {
-    if shift >= 0 {
-        i64::from(c) << shift.min(31)
-    } else {
-        i64::from(c >> shift.wrapping_neg().min(31))
-    }
+fn coordinates<const A: usize>(values: [i32; A]) -> [i32; 2] {
+    [0, 1].map(|which| values.get(which).copied().unwrap_or(0))
 }

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use super::{BOTH, raw};
 use fixel::frame::Band;
 use fixel::math::SUBPX_BITS;
-use fixel::raster::{Corner, MOST_ATTRIBUTES, RUN_FRACTION, SurfaceKind, draw_surface};
+use fixel::raster::{Corner, MOST_ATTRIBUTES, RUN_FRACTION, Run, Shade, SurfaceKind, draw_surface};
 use fixel::vertex::ScreenVertex;
 
 const SIZE: (u16, u16) = (120, 60);
@@ -21,7 +21,28 @@ struct Seen {
     reach: [f64; COUNT],
 }
 
-fn drawn(vertices: &[ScreenVertex; 3], corners: [Corner; 3]) -> Vec<Seen> {
+struct Seeing(RefCell<Vec<Seen>>);
+
+impl Shade<MOST_ATTRIBUTES> for Seeing {
+    fn run(&self, run: Run<'_, MOST_ATTRIBUTES>) {
+        let one = f64::from(1 << RUN_FRACTION);
+        let length = run.indices.len();
+        let [column, row] = run.place;
+        for number in 0..length {
+            let all: [[f64; 3]; COUNT] = std::array::from_fn(|i| {
+                [run.from[i], run.step[i], run.bend[i]].map(|v| f64::from(v) / one)
+            });
+            let t = number as f64;
+            self.0.borrow_mut().push(Seen {
+                place: [column + number as i32, row],
+                values: all.map(|[from, step, bend]| from + step * t + bend * t * (t - 1.0) / 2.0),
+                reach: all.map(|[_, step, _]| step.abs() * length as f64),
+            });
+        }
+    }
+}
+
+fn drawn(vertices: &[ScreenVertex; 3], corners: [Corner<MOST_ATTRIBUTES>; 3]) -> Vec<Seen> {
     let pixels = usize::from(SIZE.0) * usize::from(SIZE.1);
     let (mut index, mut depth) = (vec![0; pixels], vec![0; pixels]);
     let mut band = Band::new(SIZE.0, &mut index, &mut depth).expect("a band");
@@ -32,29 +53,16 @@ fn drawn(vertices: &[ScreenVertex; 3], corners: [Corner; 3]) -> Vec<Seen> {
         footprint: false,
         outlined: false,
     };
-    let seen = RefCell::new(Vec::new());
+    let seen = Seeing(RefCell::new(Vec::new()));
     draw_surface(
         &mut target,
         vertices.each_ref(),
         BOTH,
         kind,
         &mut || corners,
-        &|run| {
-            let one = f64::from(1 << RUN_FRACTION);
-            let length = run.indices.len();
-            for number in 0..length {
-                let [column, row] = run.place;
-                let each = |i: usize| [run.from[i], run.step[i]].map(|v| f64::from(v) / one);
-                let all: [_; COUNT] = std::array::from_fn(each);
-                seen.borrow_mut().push(Seen {
-                    place: [column + number as i32, row],
-                    values: all.map(|[from, step]| from + step * number as f64),
-                    reach: all.map(|[_, step]| step.abs() * length as f64),
-                });
-            }
-        },
+        &seen,
     );
-    seen.into_inner()
+    seen.0.into_inner()
 }
 
 /// How much longer than high: the square of the longest side over the doubled area.
@@ -110,7 +118,7 @@ proptest! {
         let vertices = places.map(|(x, y)| raw(x, y, 30_000 << 4, 0));
         let corner = |i: usize| {
             let mut attributes = [0; MOST_ATTRIBUTES];
-            attributes[..COUNT].copy_from_slice(&values[i]);
+            attributes[..COUNT].copy_from_slice(&values[i].map(|v| v << RUN_FRACTION));
             Corner { distance: distances[i], attributes }
         };
         let corners = [corner(0), corner(1), corner(2)];
@@ -129,11 +137,11 @@ proptest! {
             let far = 1.0 / (whole * nearest);
             for (i, value) in seen.values.into_iter().enumerate() {
                 let exact = (0..3).map(|k| near[k] * f64::from(values[k][i])).sum::<f64>() / whole;
-                // An eighth of a unit; the bound of the straight line between a run's ends; gradients, of the
-                // attribute and of nearness, are good to 2^-28 of what they are
-                // multiplied with.
+                // An eighth of a unit; the bound of the parabola between a run's ends;
+                // gradients, of the attribute and of nearness, are good to 2^-28 of what
+                // they are multiplied with.
                 let gradient = 2.0 * slender * far * 5e-4;
-                let allowed = 0.125 + seen.reach[i] / 60.0 + far * far * 2e-4 + gradient;
+                let allowed = 0.125 + seen.reach[i] / 150.0 + far * far * 2e-4 + gradient;
                 prop_assert!(
                     (value - exact).abs() <= allowed,
                     "{value} instead of {exact}, {allowed} allowed, at {:?}", seen.place

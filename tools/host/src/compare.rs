@@ -55,7 +55,10 @@ pub(crate) fn lookup(scene: &Scene<'_>, options: &Options, size: (u16, u16)) -> 
     let coloured = (0..scene.material_count()).any(|m| scene.material(m).coloured);
     let path = |m| {
         let material = scene.material(m);
-        if material.coloured {
+        if material.coloured && material.texture.is_some() {
+            let bases = scene.bases().to_vec();
+            Path::TexturedColour { bases }
+        } else if material.coloured {
             Path::Colour
         } else if material.texture.is_some() {
             textured(scene, &material)

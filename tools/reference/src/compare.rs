@@ -1,5 +1,6 @@
 //! A frame against the truth.
 
+use crate::bases::Lights;
 use crate::frame::{Frame, FrameError};
 use crate::metric::{Differences, Psnr, percent};
 use crate::report::{Mismatch, MismatchKind, Report};
@@ -24,6 +25,7 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
     let mut mismatches = Vec::new();
     let mut doubtful = vec![false; truth.pixels.len()];
     let mut same = vec![false; truth.pixels.len()];
+    let lights = frame.lookup.lights();
     let through_palette = frame.lookup.indices(truth);
     for (i, reference_index) in through_palette.iter().enumerate() {
         let seen = Pixel::of(truth, frame, i);
@@ -41,7 +43,7 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
                 same[i] = true;
                 if let Some(hit) = &truth.pixels[i] {
                     depth.add(i, f64::from(frame.depth[i]) - hit.depth_lsb, 1.0);
-                    level.add(i, light_difference(frame, hit, i), 2.0);
+                    level.add(i, light_difference(frame, &lights, hit, i), 2.0);
                     if let (Some(true_place), Some(place)) =
                         (hit.texture_place, frame.texture_place.get(i))
                     {
@@ -112,8 +114,8 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
 
 /// The difference of light on an agreeing pixel, of 255: of its level, or of the
 /// channel that is farthest off.
-pub(crate) fn light_difference(frame: &Frame, hit: &Hit, i: usize) -> f64 {
-    let channels = frame.light[i].into_iter().zip(frame.lookup.light(hit));
+pub(crate) fn light_difference(frame: &Frame, lights: &Lights<'_>, hit: &Hit, i: usize) -> f64 {
+    let channels = frame.light[i].into_iter().zip(lights.of(hit));
     let differences = channels.map(|(frame, truth)| (f64::from(frame) - truth).abs());
     differences.fold(0.0, f64::max)
 }

@@ -1,9 +1,8 @@
 //! A picture from the renderer under test, as plain arrays.
 
-use crate::oklab::oklab;
+use crate::bases::{Lights, Nearest};
 use crate::truth::{Hit, Truth};
 use fixel_scene::Rgb;
-use glam::DVec3;
 use std::fmt;
 
 /// How many colours a [`Lookup`] tells apart: 4 bits a channel.
@@ -29,7 +28,7 @@ pub struct Frame {
     pub triangle: Vec<u32>,
     /// Light before it is looked up: of a material that goes by level
     /// ([`Path::Level`], [`Path::Textured`]) three times its level, of one that goes by colour
-    /// ([`Path::Colour`]) red, green and blue, each 0..=255; any where nothing is
+    /// ([`Path::Colour`], [`Path::TexturedColour`]) red, green and blue, each 0..=255; any where nothing is
     /// seen.
     pub light: Vec<[u8; 3]>,
     /// Palette index.
@@ -65,6 +64,12 @@ pub enum Path {
         /// a base each, `R` a power of two up to 256; level `l` is in row
         /// `l * R / 256`, rounded down.
         shade: Vec<u8>,
+    },
+    /// By its colour, through [`Lookup::colours`], of a texture whose texels are base
+    /// colours: each becomes the nearest in Oklab before it is blended and lit.
+    TexturedColour {
+        /// Base colours, at least one.
+        bases: Vec<[u8; 3]>,
     },
 }
 
@@ -167,8 +172,9 @@ impl Frame {
     /// If a table of the look-up is too short for the scene or the picture.
     pub fn from_truth(truth: &Truth, lookup: Lookup) -> Self {
         let hits = || truth.pixels().iter();
+        let lights = lookup.lights();
         let light = hits()
-            .map(|p| p.map_or([0; 3], |hit| lookup.light(&hit).map(|l| l.round() as u8)))
+            .map(|p| p.map_or([0; 3], |hit| lights.of(&hit).map(|l| l.round() as u8)))
             .collect();
         let index = lookup.indices(truth);
         Self {
@@ -234,7 +240,7 @@ impl Frame {
         let levels = lookup.paths.iter().filter_map(|path| match path {
             Path::Level(indices) => Some(&indices[..]),
             Path::Textured { shade, .. } => Some(&shade[..]),
-            Path::Colour => None,
+            Path::Colour | Path::TexturedColour { .. } => None,
         });
         let others = lookup.colours.iter().chain(&lookup.background);
         let others = others.chain(lookup.fog.iter().flatten());
@@ -272,7 +278,9 @@ impl Lookup {
         let clear = match &self.paths[hit.material] {
             _ if hit.hidden => background,
             Path::Level(indices) => indices[hit.level.round() as usize],
-            Path::Colour => self.colour_index(hit.colour),
+            Path::Colour | Path::TexturedColour { .. } => {
+                self.colour_index(bases[hit.material].colour(hit))
+            }
             Path::Textured { shade, .. } => {
                 let nearest = &bases[hit.material];
                 let base = nearest.index(hit.texel.unwrap_or([1.0; 3]));
@@ -292,44 +300,15 @@ impl Lookup {
         self.colours[red << 8 | green << 4 | blue]
     }
 
-    /// The light of the truth as [`Frame::light`] has it, unrounded.
-    pub(crate) fn light(&self, hit: &Hit) -> [f64; 3] {
-        match self.paths[hit.material] {
-            _ if hit.hidden => [0.0; 3],
-            Path::Level(_) | Path::Textured { .. } => [hit.level; 3],
-            Path::Colour => hit.colour.map(|channel| 255.0 * channel),
-        }
+    /// The light of the truth as [`Frame::light`] has it.
+    pub(crate) fn lights(&self) -> Lights<'_> {
+        Lights::new(&self.paths)
     }
 
     /// The length that the table of colours has to have.
     fn colours_needed(&self) -> usize {
-        let needed = !self.colours.is_empty() || self.paths.contains(&Path::Colour);
+        let coloured = |path: &Path| matches!(path, Path::Colour | Path::TexturedColour { .. });
+        let needed = !self.colours.is_empty() || self.paths.iter().any(coloured);
         if needed { COLOURS } else { 0 }
-    }
-}
-
-/// The base colours of a path, in Oklab.
-struct Nearest(Vec<DVec3>);
-
-impl Nearest {
-    fn of(path: &Path) -> Self {
-        let unit = |base: &[u8; 3]| base.map(|c| f64::from(c) / 255.0);
-        match path {
-            Path::Textured { bases, .. } => Self(bases.iter().map(|b| oklab(unit(b))).collect()),
-            _ => Self(Vec::new()),
-        }
-    }
-
-    fn len(&self) -> usize {
-        self.0.len()
-    }
-
-    /// The nearest to a colour.
-    fn index(&self, colour: Rgb) -> usize {
-        let target = oklab(colour);
-        let distance = |i: &usize| self.0[*i].distance_squared(target);
-        let all = 0..self.0.len();
-        all.min_by(|a, b| distance(a).total_cmp(&distance(b)))
-            .unwrap_or(0)
     }
 }

@@ -58,6 +58,7 @@ pub fn draw(truth: &Truth, frame: &Frame) -> Result<HeatMaps, FrameError> {
         };
         pixels.iter().enumerate().map(heat_at).collect()
     };
+    let lights = frame.lookup.lights();
     let colour = truth.colours().zip(&frame.rgb).map(|(truth, shown)| {
         let channel = |(t, s): (f64, &u8)| (255.0 * t - f64::from(*s)).abs();
         heat(
@@ -72,7 +73,7 @@ pub fn draw(truth: &Truth, frame: &Frame) -> Result<HeatMaps, FrameError> {
     Ok(HeatMaps {
         coverage: pixels.iter().map(coverage).collect(),
         depth: agreeing(&|i, hit| f64::from(frame.depth[i]) - hit.depth_lsb, 4.0),
-        level: agreeing(&|i, hit| light_difference(frame, hit, i), 8.0),
+        level: agreeing(&|i, hit| light_difference(frame, &lights, hit, i), 8.0),
         colour: colour.collect(),
         shadow: shadow(truth, frame, &pixels),
     })

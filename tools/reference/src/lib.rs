@@ -10,6 +10,7 @@
 //! [`Truth`], a [`Report`] and [`heatmap`]s. Used by the command line and by
 //! the accuracy tests.
 
+mod bases;
 mod bvh;
 mod camera;
 mod compare;

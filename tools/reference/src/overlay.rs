@@ -354,6 +354,8 @@ impl Canvas<'_> {
             margin_lsb: depth_lsb - behind,
             hidden: false,
             texel: None,
+            texels: [([0.0; 3], 0.0); 4],
+            own_and_gloss: [lit.own.into(), lit.gloss.into()],
             texture_place: None,
             fog: self.fog.map_or(0.0, |fog| fog_part(&fog, w)),
         });

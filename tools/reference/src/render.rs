@@ -167,6 +167,10 @@ impl Seen<'_> {
             fog: scene.fog.map_or(0.0, |fog| fog_part(&fog, self.meeting.w)),
             colour: colour.into(),
             texel: texel.map(|(_, texel)| texel.colour.into()),
+            texels: texel.map_or([([0.0; 3], 0.0); 4], |(_, texel)| {
+                texel.parts.map(|(colour, weight)| (colour.into(), weight))
+            }),
+            own_and_gloss: [lit.own.into(), lit.gloss.into()],
             texture_place: texel.map(|(place, _)| place.into()),
             margin_lsb: depth_lsb - second,
             hidden,

@@ -24,6 +24,8 @@ struct Copy {
 pub(crate) struct Texel {
     /// Red, green, blue.
     pub colour: DVec3,
+    /// What it is blended of, with weights whose sum is 1.
+    pub parts: [(DVec3, f64); 4],
     /// Whether it passes the alpha test.
     pub passes: bool,
 }
@@ -98,27 +100,30 @@ impl Copy {
         let (column, row) = (place.x.floor() as i64, place.y.floor() as i64);
         let own = self.wrapped(column, row, how.wrap);
         let passes = |texel: DVec4| texel.w >= how.alpha_test;
-        let colour = match how.filter {
-            Filter::Nearest => own.truncate(),
+        let mut parts = [(own.truncate(), 0.0); 4];
+        match how.filter {
+            Filter::Nearest => parts[0].1 = 1.0,
             Filter::Bilinear => {
                 let (x, y) = (place.x - 0.5, place.y - 0.5);
                 let (right, down) = (x - x.floor(), y - y.floor());
-                let mut sum = DVec4::ZERO;
+                let mut sum = 0.0;
                 for (i, across) in [1.0 - right, right].into_iter().enumerate() {
                     for (j, along) in [1.0 - down, down].into_iter().enumerate() {
                         let (column, row) =
                             (x.floor() as i64 + i as i64, y.floor() as i64 + j as i64);
                         let texel = self.wrapped(column, row, how.wrap);
                         if passes(texel) {
-                            sum += texel.truncate().extend(1.0) * (across * along);
+                            parts[2 * i + j] = (texel.truncate(), across * along);
+                            sum += across * along;
                         }
                     }
                 }
-                sum.truncate() / sum.w
+                parts = parts.map(|(colour, weight)| (colour, weight / sum));
             }
-        };
+        }
         Texel {
-            colour,
+            colour: parts.iter().map(|(colour, weight)| *colour * *weight).sum(),
+            parts,
             passes: passes(own),
         }
     }

@@ -37,6 +37,12 @@ pub struct Hit {
     pub fog: f64,
     /// The texture's own colour there, before any light, if there is a texture.
     pub texel: Option<Rgb>,
+    /// The texels that it is blended of, with weights whose sum is 1, or 0 where they are
+    /// not known.
+    pub texels: [(Rgb, f64); 4],
+    /// Light in the surface's own colour, without texture, and highlights: each
+    /// channel in 0..=1. The colour is `texel * own + gloss`, clamped.
+    pub own_and_gloss: [Rgb; 2],
     /// The place in the texture, in texels from its top left corner, before wrapping.
     pub texture_place: Option<[f64; 2]>,
     /// How much farther the next surface at this pixel is, in depth units;

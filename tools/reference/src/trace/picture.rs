@@ -197,6 +197,8 @@ impl Eye<'_> {
                 level: shown.lit.level,
                 colour: colour.into(),
                 fog: 0.0,
+                texels: [([0.0; 3], 0.0); 4],
+                own_and_gloss: [[0.0; 3]; 2],
                 texel: shown.spot.texel.map(|(_, texel)| texel.colour.into()),
                 texture_place: shown.spot.texel.map(|(place, _)| place.into()),
                 margin_lsb: f64::INFINITY,

@@ -1,0 +1,213 @@
+//! Runs of a surface's triangle: from attributes to indices.
+
+use core::cell::Cell;
+
+use super::corner_source::CornerSource;
+use super::paint::{Ids, Paint};
+use super::triangles::Triangle;
+use crate::fog::Haze;
+use crate::light::{Parts, sum};
+use crate::math::Depth;
+use crate::raster::{Corner, MOST_ATTRIBUTES, Run, Shade};
+use crate::scene::layout::{COLOURS, TEXTURE_SHADES};
+use crate::shade::{Blend, Lookup, Pixel, Sampler, ScreenDoor, Surface, on_texel};
+
+/// The way from light to an index.
+#[derive(Clone, Copy)]
+pub(super) enum Way<'a> {
+    Levels(&'a [u8; 256]),
+    Colours(&'a [u8; COLOURS]),
+    Texels(&'a [u8; TEXTURE_SHADES]),
+}
+
+/// How what is behind a surface shows through.
+#[derive(Clone, Copy)]
+pub(super) enum Through<'a> {
+    Nothing,
+    Door(ScreenDoor),
+    Blend(Blend<'a>),
+}
+
+/// What the runs of a triangle have in common.
+pub(super) struct Runs<'a, P> {
+    paint: &'a P,
+    ids: Ids,
+    surface: &'a Surface<'a>,
+    corners: &'a CornerSource<'a>,
+    pub triangle: &'a Triangle<'a>,
+    /// Light of the face, once corners are known.
+    face: Cell<Parts>,
+}
+
+impl<'a, P: Paint> Runs<'a, P> {
+    pub fn new(paint: &'a P, corners: &'a CornerSource<'a>, triangle: &'a Triangle<'a>) -> Self {
+        Self {
+            paint,
+            ids: corners.part.ids(triangle.number),
+            surface: corners.surface,
+            corners,
+            triangle,
+            face: Cell::default(),
+        }
+    }
+
+    /// The corners of a triangle that is drawn.
+    pub fn corners<const A: usize>(&self) -> [Corner<A>; 3] {
+        self.face.set(self.corners.face(self.triangle));
+        self.corners.of(self.triangle)
+    }
+
+    /// Draws a run of texels by level, each wrapped by itself.
+    #[cold]
+    #[inline(never)]
+    fn path<const A: usize>(
+        &self,
+        shades: &[u8; TEXTURE_SHADES],
+        sampler: &Sampler<'_>,
+        run: Run<'_, A>,
+    ) {
+        let ([left, row], face) = (run.place, self.face.get());
+        let path = sampler.path(&run);
+        run.draw::<A>(true, |number, values, _| {
+            let at = path.places.at(number);
+            let pixel = Pixel {
+                lookup: Lookup::Texel(shades, sampler.nearest(&path, at)?),
+                lit: self.surface.light(values, face).body,
+                place: [left + number, row],
+                texel: at,
+            };
+            Some(self.paint.surface(&pixel, self.ids))
+        });
+    }
+}
+
+/// Texels by level: one of the face, or the third attribute.
+pub(super) struct Texels<'a, P> {
+    pub runs: Runs<'a, P>,
+    pub shades: &'a [u8; TEXTURE_SHADES],
+    pub sampler: &'a Sampler<'a>,
+}
+
+impl<const A: usize, P: Paint> Shade<A> for Texels<'_, P> {
+    #[inline(always)]
+    fn run(&self, run: Run<'_, A>) {
+        let Some(strip) = self.sampler.strip(&run) else {
+            return self.runs.path(self.shades, self.sampler, run);
+        };
+        let ([left, row], face) = (run.place, self.runs.face.get());
+        let (Runs { paint, ids, .. }, shades, places) = (&self.runs, self.shades, strip.places);
+        strip.draw(run, move |number, level, base| {
+            let pixel = Pixel {
+                lookup: Lookup::Texel(shades, base),
+                lit: if A > 2 { [level as u16; 3] } else { face.body },
+                place: [left + number, row],
+                texel: places.at_in_fours(number),
+            };
+            paint.surface(&pixel, *ids)
+        });
+    }
+}
+
+/// All other surfaces.
+pub(super) struct Others<'a, P> {
+    pub runs: Runs<'a, P>,
+    pub way: Way<'a>,
+    pub sampler: Option<&'a Sampler<'a>>,
+    pub through: Through<'a>,
+}
+
+impl<P: Paint> Shade<MOST_ATTRIBUTES> for Others<'_, P> {
+    #[inline(never)]
+    fn run(&self, mut run: Run<'_, MOST_ATTRIBUTES>) {
+        match self.through {
+            Through::Nothing => self.whole(run),
+            Through::Door(door) => door.shade(&mut run, |run| self.whole(run)),
+            Through::Blend(blend) => self.blend(&blend, self.runs.corners.part.haze, run),
+        }
+    }
+}
+
+impl<P: Paint> Others<'_, P> {
+    /// Draws a run of pixels.
+    #[inline(never)]
+    fn whole(&self, run: Run<'_, MOST_ATTRIBUTES>) {
+        let ([left, row], face) = (run.place, self.runs.face.get());
+        let Runs {
+            paint,
+            ids,
+            surface,
+            ..
+        } = self.runs;
+        let index = |lookup, number, lit, texel| {
+            let place = [left + number, row];
+            let pixel = Pixel {
+                lookup,
+                lit,
+                place,
+                texel,
+            };
+            Some(paint.surface(&pixel, ids))
+        };
+        match (self.sampler, self.way) {
+            (Some(sampler), Way::Texels(shades)) => self.runs.path(shades, sampler, run),
+            (Some(sampler), Way::Colours(colours)) => {
+                let path = sampler.path(&run);
+                run.draw::<MOST_ATTRIBUTES>(true, |number, values, _| {
+                    let at = path.places.at(number);
+                    let texel = sampler.colour(&path, at)?;
+                    let lit = on_texel(surface.light(values, face), texel);
+                    index(Lookup::Colours(colours), number, lit, at)
+                });
+            }
+            (_, Way::Colours(colours)) => {
+                run.draw::<9>(true, |number, values, _| {
+                    let Parts { body, gloss } = surface.light(values, face);
+                    index(Lookup::Colours(colours), number, sum(body, gloss), [0; 2])
+                });
+            }
+            (_, Way::Levels(shades)) => {
+                run.draw::<9>(true, |number, values, _| {
+                    let Parts { body, gloss } = surface.light(values, face);
+                    index(Lookup::Levels(shades), number, sum(body, gloss), [0; 2])
+                });
+            }
+            (None, Way::Texels(_)) => {}
+        }
+    }
+
+    /// Mixes a run of pixels with what is behind them, which stays as near as it is.
+    #[inline(never)]
+    fn blend(&self, blend: &Blend<'_>, haze: Option<&Haze>, run: Run<'_, MOST_ATTRIBUTES>) {
+        // Blended materials go by colour.
+        let Way::Colours(colours) = self.way else {
+            return;
+        };
+        let ([left, row], face) = (run.place, self.runs.face.get());
+        let textured = self.sampler.map(|sampler| (sampler, sampler.path(&run)));
+        let ((z, dz), mut fog_row) = (run.depth, 0);
+        run.draw::<MOST_ATTRIBUTES>(false, |number, values, behind| {
+            let light = self.runs.surface.light(values, face);
+            let (lit, texel) = match &textured {
+                None => (sum(light.body, light.gloss), [0; 2]),
+                Some((sampler, path)) => {
+                    let at = path.places.at(number);
+                    (on_texel(light, sampler.colour(path, at)?), at)
+                }
+            };
+            let lit = match haze {
+                Some(haze) => {
+                    let depth = z.wrapping_add_signed(dz.wrapping_mul(number)) >> 16;
+                    haze.over(lit, depth as Depth, &mut fog_row)
+                }
+                None => lit,
+            };
+            let pixel = Pixel {
+                lookup: Lookup::Colours(colours),
+                lit,
+                place: [left + number, row],
+                texel,
+            };
+            Some(self.runs.paint.blend(&pixel, behind, blend))
+        });
+    }
+}

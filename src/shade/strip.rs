@@ -1,0 +1,189 @@
+//! Runs of texels that need no wrapping pixel by pixel: the kernel for textures that
+//! are not blended.
+
+use super::texture::{Copied, PLACE_BITS, Places, Sampler};
+use crate::math::Depth;
+use crate::raster::{RUN_FRACTION, Run};
+use crate::scene::{NO_TEXEL, Wrap};
+
+/// A run's way through one copy of a texture, in the same period at both ends.
+#[derive(Clone, Copy, Debug)]
+pub struct Strip<'a> {
+    copy: Copied<'a>,
+    /// Of its pixels, mirrored where the texture is.
+    way: Places,
+    /// Of its pixels.
+    pub places: Places,
+}
+
+impl<'a> Sampler<'a> {
+    /// The way of a run whose first two attributes are texture coordinates; `None` if
+    /// it goes over an edge at which the texture does not go on by itself.
+    #[inline(always)]
+    pub fn strip<const A: usize>(&self, run: &Run<'_, A>) -> Option<Strip<'a>> {
+        let places = self.places(run);
+        let copy = self.copy(places.step, run.down);
+        let mut way = places;
+        if self.texture.wrap != Wrap::Repeat {
+            way = self.within(&places, run.indices.len())?;
+        }
+        Some(Strip { copy, way, places })
+    }
+
+    /// Places as in the first period, if all are in one, and in the first if what is
+    /// beyond it looks otherwise.
+    fn within(&self, places: &Places, pixels: usize) -> Option<Places> {
+        let end = places.at(pixels.saturating_sub(1) as i32);
+        let mut way = *places;
+        let each = way.from.iter_mut().zip(&mut way.step).zip(&mut way.bend);
+        let each = each.zip(end).zip(self.texture.size);
+        for ((((from, step), bend), end), size) in each {
+            let period = |c: i32| c >> (PLACE_BITS + i32::from(size)).min(31);
+            let first = period(*from);
+            if first != period(end) || self.texture.wrap == Wrap::Clamp && first != 0 {
+                return None;
+            }
+            if first & 1 != 0 {
+                // Mirrored: downwards from the last texel.
+                (*from, *step, *bend) = (!*from, step.wrapping_neg(), bend.wrapping_neg());
+            }
+        }
+        Some(way)
+    }
+}
+
+/// From places in the picture to a number that has a texel's in its highest bits. Rows
+/// wrap above, columns are cut out below them, so what repeats does so by itself.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Cut {
+    /// What places are multiplied by: texels of the picture to 2^32 a picture.
+    times: [u32; 2],
+    /// A right shift of columns to below the rows.
+    rows: u32,
+    /// The bits of the column and of what is below it.
+    columns: u32,
+    /// A right shift to a texel's number.
+    down: u32,
+}
+
+impl Cut {
+    /// For a copy of a picture, both with `log2` of their sizes.
+    pub fn new([w, h]: [u32; 2], [width, height]: [u32; 2]) -> Self {
+        let whole = 32 - PLACE_BITS as u32;
+        // A shift by 32, for a copy of one texel, does not exist: its places are all 0.
+        let some = u32::from(w + h != 0);
+        Self {
+            times: [width, height].map(|size| some << (whole - size)),
+            rows: h,
+            columns: u32::MAX >> h,
+            down: (32 - w - h).min(31),
+        }
+    }
+}
+
+/// What the kernel steps.
+struct Cursor<'a> {
+    texels: &'a [u8],
+    at: [u32; 2],
+    /// The change a pixel among the first four, and how it changes to the next four.
+    step: [u32; 2],
+    bend: [u32; 2],
+    columns: u32,
+    down: u32,
+    /// Depth, 16.16, and its change a pixel.
+    depth: (u32, i32),
+    /// The third attribute with its step and bend.
+    light: [i32; 3],
+}
+
+impl Strip<'_> {
+    /// Goes through the pixels of a run that are nearer than what stands there and show
+    /// a texel. `shade` gets the pixel's number in the run, the third attribute (if
+    /// there is one), rounded, and the base colour, and gives the index.
+    #[inline(always)]
+    pub fn draw<const A: usize>(&self, run: Run<'_, A>, shade: impl Fn(i32, i32, u8) -> u8) {
+        let Cut {
+            times: [across, along],
+            rows,
+            columns,
+            down,
+        } = self.copy.cut;
+        let both = |[x, y]: [i32; 2]| {
+            let x = (x as u32).wrapping_mul(across) >> (rows & 31);
+            [x, (y as u32).wrapping_mul(along)]
+        };
+        let [first, step, bend] = {
+            let Places { from, step, bend } = self.way.in_fours();
+            [from, step, bend].map(both)
+        };
+        let third = |values: [i32; A]| [values.get(2).copied().unwrap_or(0); 1];
+        let light = Places::<1> {
+            from: third(run.from),
+            step: third(run.step),
+            bend: third(run.bend),
+        }
+        .in_fours();
+        let ([from], [change], [turn]) = (light.from, light.step, light.bend);
+        let cursor = Cursor {
+            texels: self.copy.texels,
+            at: first,
+            step,
+            bend,
+            columns,
+            down,
+            depth: run.depth,
+            light: [from.wrapping_add(1 << (RUN_FRACTION - 1)), change, turn],
+        };
+        draw(run.indices, run.depths, &cursor, shade);
+    }
+}
+
+/// The kernel: its loop wants all registers. Pixels go by fours along straight lines.
+#[inline(never)]
+fn draw(
+    indices: &mut [u8],
+    depths: &mut [Depth],
+    cursor: &Cursor<'_>,
+    shade: impl Fn(i32, i32, u8) -> u8,
+) {
+    let Cursor {
+        texels,
+        at: [mut x, mut y],
+        step: [mut dx, mut dy],
+        bend: [bx, by],
+        columns,
+        down,
+        depth: (mut z, dz),
+        light: [mut light, mut change, turn],
+    } = *cursor;
+    let (fours, indices) = indices.as_chunks_mut::<4>();
+    let (four_depths, depths) = depths.as_chunks_mut::<4>();
+    let mut number = 0;
+    let mut one = |pixel: &mut u8, depth: &mut Depth, [dx, dy]: [u32; 2], change: i32| {
+        let here = (z >> 16) as Depth;
+        if here > *depth {
+            let texel = ((x ^ y) & columns ^ y) >> down;
+            if let Some(&texel) = texels.get(texel as usize)
+                && texel != NO_TEXEL
+            {
+                *pixel = shade(number, light >> RUN_FRACTION, texel);
+                *depth = here;
+            }
+        }
+        z = z.wrapping_add_signed(dz);
+        (x, y) = (x.wrapping_add(dx), y.wrapping_add(dy));
+        light = light.wrapping_add(change);
+        number += 1;
+    };
+    for ([a, b, c, d], [ad, bd, cd, dd]) in fours.iter_mut().zip(four_depths) {
+        one(a, ad, [dx, dy], change);
+        one(b, bd, [dx, dy], change);
+        one(c, cd, [dx, dy], change);
+        one(d, dd, [dx, dy], change);
+        (dx, dy) = (dx.wrapping_add(bx), dy.wrapping_add(by));
+        change = change.wrapping_add(turn);
+    }
+    for (pixel, depth) in indices.iter_mut().zip(depths) {
+        one(pixel, depth, [dx, dy], change);
+    }
+}
