@@ -159,7 +159,7 @@ impl<'a> Sampler<'a> {
         let first = match self.texture.wrap {
             // What repeats may wrap: its period divides 2^32.
             Wrap::Repeat | Wrap::Mirror => {
-                let [u, v] = self.to_places(from);
+                let [u, v] = self.scaled(from);
                 [u.wrapping_add(x as i32), v.wrapping_add(y as i32)]
             }
             Wrap::Clamp => {
@@ -170,8 +170,8 @@ impl<'a> Sampler<'a> {
         };
         Places {
             from: first,
-            step: self.to_places(step),
-            bend: self.to_places(bend),
+            step: self.scaled(step),
+            bend: self.scaled(bend),
         }
     }
 
@@ -212,7 +212,7 @@ impl<'a> Sampler<'a> {
 
     /// Attributes or their changes as places, modulo 2^32.
     #[inline(always)]
-    fn to_places(&self, [u, v]: [i32; 2]) -> [i32; 2] {
+    fn scaled(&self, [u, v]: [i32; 2]) -> [i32; 2] {
         let [across, down] = self.shifts;
         [u << (across & 31), v << (down & 31)]
     }
@@ -242,7 +242,7 @@ impl<'a> Sampler<'a> {
         if last == 0 {
             return first;
         }
-        let down = self.to_places(down);
+        let down = self.scaled(down);
         let [a, b] = step.map(i32::unsigned_abs);
         let [c, d] = down.map(i32::unsigned_abs);
         let most = a.max(b).max(c).max(d);
