@@ -5,7 +5,7 @@ use fixel::ray::{RayScratch, Seen, Watch, render_frame_watched};
 use fixel::render::FrameStats;
 use fixel::{Band, Scene};
 use fixel_bake::Baked;
-use fixel_reference::{Frame, NO_TRIANGLE};
+use fixel_reference::{Frame, Lookup, NO_TRIANGLE};
 
 use crate::Planes;
 use crate::colour::pixels;
@@ -35,7 +35,11 @@ pub fn ray_frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame,
     for (seen, depth) in all.seen.iter_mut().zip(&drawn.depth) {
         *seen = seen.filter(|_| *depth != 0);
     }
-    let lookup = lookup(scene, options, drawn.size);
+    let lookup = Lookup {
+        // What is watched is without.
+        fog: Vec::new(),
+        ..lookup(scene, options, drawn.size)
+    };
     let seen = || all.seen.iter();
     let triangle = |seen: &Option<Seen>| {
         let place = seen.as_ref().and_then(|seen| seen.triangle);

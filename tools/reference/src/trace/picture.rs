@@ -5,7 +5,7 @@ use super::sequence;
 pub(crate) use super::tracer::Reach;
 use super::tracer::{For, Tracer};
 use super::world::{Met, World};
-use crate::fog::{fog_part, fogged};
+use crate::fog::fog_part;
 use crate::light::Lights;
 use crate::overlay::Overlay;
 use crate::render::Options;
@@ -104,8 +104,7 @@ pub fn render_rays_watched(scene: &Scene, options: Options, row_done: &(dyn Fn()
         pixels: pixels.iter().map(hit).collect(),
         layers: vec![Vec::new(); pixels.len()],
         background: pixels.iter().map(|pixel| pixel.colour.into()).collect(),
-        // In the colours already.
-        fog: None,
+        fog: scene.fog,
         samples: scene.display.samples,
         joined: scene.display.stereo.joined(),
         materials: scene.materials.len(),
@@ -182,10 +181,7 @@ impl Eye<'_> {
             return Pixel::nothing(self.window.background(at[1]).into());
         };
         let shown = tracer.show(&line, &met, 1, For { pixel: at, sample });
-        let colour = match &self.scene.fog {
-            Some(fog) => fogged(fog, shown.colour, fog_part(fog, met.t)),
-            None => shown.colour,
-        };
+        let colour = shown.colour;
         let Met { surface, at, .. } = met;
         Pixel {
             hit: Some(Hit {
@@ -196,7 +192,7 @@ impl Eye<'_> {
                 weights: at,
                 level: shown.lit.level,
                 colour: colour.into(),
-                fog: 0.0,
+                fog: self.scene.fog.map_or(0.0, |fog| fog_part(&fog, met.t)),
                 texels: [([0.0; 3], 0.0); 4],
                 own_and_gloss: [[0.0; 3]; 2],
                 texel: shown.spot.texel.map(|(_, texel)| texel.colour.into()),
