@@ -7,7 +7,7 @@
 use super::Patch;
 use crate::math::{Scaled, ShortUnit, Vec3, direction, power, scaled_reciprocal, short_dot};
 use crate::scene::layout::LIGHTS;
-use crate::scene::{Channels, Light, LightKind, Scene};
+use crate::scene::{Channels, Light, LightKind, Material, Scene};
 use crate::view::{ActorView, EyeInGrid};
 
 /// Red, green and blue in 1/64 of a level, at most 255 levels. Of a material that
@@ -232,25 +232,31 @@ fn scale(a: u32, b: u32) -> u32 {
 }
 
 impl SurfaceLights {
-    /// The scene's lights as the surface of a meshlet meets them.
-    pub fn new(scene: &Scene<'_>, view: &ActorView, patch: &Patch) -> Self {
-        let mut sources = [Source::NONE; LIGHTS];
+    /// None.
+    pub const NONE: Self = Self {
+        channels: Material::PLAIN.channels,
+        shiny: false,
+        power: 0,
+        sources: [Source::NONE; LIGHTS],
+        count: 0,
+        eye: Seen::Along([0; 3]),
+    };
+
+    /// Becomes the scene's lights as the surface of a meshlet meets them: in place,
+    /// because they are half a kilobyte.
+    #[inline(never)]
+    pub fn set(&mut self, scene: &Scene<'_>, view: &ActorView, patch: &Patch) {
         let found = scene.lights();
-        let count = found.len().min(LIGHTS);
-        for (source, light) in sources.iter_mut().zip(found) {
+        self.channels = view.material.channels;
+        self.shiny = self.channels.specular != [0; 3];
+        self.power = view.material.power;
+        self.count = found.len().min(LIGHTS);
+        self.eye = match view.eye {
+            EyeInGrid::Direction(sight) => Seen::Along(shorten(sight.map(i32::wrapping_neg))),
+            EyeInGrid::Point(place) => Seen::From(in_patch(place, patch)),
+        };
+        for (source, light) in self.sources.iter_mut().zip(found) {
             *source = Source::new(&light, view, patch);
-        }
-        let channels = view.material.channels;
-        Self {
-            channels,
-            shiny: channels.specular != [0; 3],
-            power: view.material.power,
-            sources,
-            count,
-            eye: match view.eye {
-                EyeInGrid::Direction(sight) => Seen::Along(shorten(sight.map(i32::wrapping_neg))),
-                EyeInGrid::Point(place) => Seen::From(in_patch(place, patch)),
-            },
         }
     }
 

@@ -40,6 +40,8 @@ impl Ramp {
     pub(super) fn at(&self, n: i32) -> i32 {
         self.start
             .wrapping_add(self.step.wrapping_mul(n))
-            .clamp(self.least, self.most)
+            // Not `clamp`, which would panic if `least` were above `most`.
+            .min(self.most)
+            .max(self.least)
     }
 }

@@ -35,6 +35,7 @@ pub(super) struct Actors<'a> {
 }
 
 impl<'a> Actors<'a> {
+    #[inline(never)]
     pub(super) fn new(
         scene: &'a Scene<'a>,
         pose: &'a Pose<'a>,
@@ -59,12 +60,17 @@ impl<'a> Actors<'a> {
     /// A viewport of the frame.
     pub(super) fn viewport(&mut self, number: u16) -> &PlacedViewport {
         if self.viewport.number != number {
-            let (width, height) = self.size;
-            self.viewport = self.scene.place_viewport(number, self.pose, width, height);
-            self.view = ViewFrame::of(&self.viewport);
-            self.fog = None;
+            self.go_to(number);
         }
         &self.viewport
+    }
+
+    #[inline(never)]
+    fn go_to(&mut self, number: u16) {
+        let (width, height) = self.size;
+        self.viewport = self.scene.place_viewport(number, self.pose, width, height);
+        self.view = ViewFrame::of(&self.viewport);
+        self.fog = None;
     }
 
     /// Which depths of a viewport are how foggy.
@@ -96,12 +102,12 @@ impl<'a> Actors<'a> {
             let slot = self.slots.get_mut(which)?;
             let actor = self.scene.actor(index);
             let look = lines::look(self.scene, index);
-            slot.view = if look.is_some_and(|look| look.on_screen) {
-                ActorView::on_screen(&self.view, self.scene, &actor)
+            if look.is_some_and(|look| look.on_screen) {
+                slot.view.set_on_screen(&self.view, self.scene, &actor);
             } else {
                 let place = self.pose.place(self.scene, index, &actor);
-                ActorView::new(&self.view, self.scene, &actor, &place)
-            };
+                slot.view.set(&self.view, self.scene, &actor, &place);
+            }
             slot.held = number + 1;
         }
         Some(&self.slots.get(which)?.view)

@@ -30,6 +30,7 @@ pub(super) struct Place<'a> {
 
 /// Draws what a listed meshlet has in its pass, into its viewport's rows. When its
 /// vertices are known, so are its rows, and the entry is told.
+#[inline(never)]
 pub(super) fn draw_meshlet<P: Paint>(
     paint: &P,
     scene: &Scene<'_>,

@@ -67,6 +67,7 @@ pub fn palette<'a>(scene: &Scene<'a>, pose: &Pose<'_>) -> Palette<'a> {
 ///
 /// # Errors
 /// Those of the display; drawing itself cannot fail.
+#[inline(never)]
 pub fn render_rows_with<P: Paint, D: Display>(
     paint: &P,
     scene: &Scene<'_>,

@@ -33,7 +33,11 @@ pub(super) fn draw_surface_meshlet<P: Paint>(
     // for by themselves.
     let lit_here = matches!(attributes.lighting, Lighting::Face | Lighting::Pixel)
         || attributes.textured && attributes.lighting == Lighting::Colour;
-    let lights = lit_here.then(|| SurfaceLights::new(scene, view, &patch));
+    // Half a kilobyte: made where they stay.
+    let mut lights = lit_here.then_some(SurfaceLights::NONE);
+    if let Some(lights) = &mut lights {
+        lights.set(scene, view, &patch);
+    }
     let surface = Surface {
         attributes,
         lights: lights.as_ref(),

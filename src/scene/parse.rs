@@ -56,6 +56,7 @@ impl<'a> Scene<'a> {
     ///
     /// # Errors
     /// Says what is wrong and where; see [`SceneError`].
+    #[inline(never)]
     pub fn parse(bytes: &'a [u8]) -> Result<Self, SceneError> {
         if bytes.len() < layout::PREFIX_BYTES {
             return Err(SceneError::TooShort { bytes: bytes.len() });

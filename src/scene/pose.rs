@@ -167,6 +167,7 @@ impl Pose<'_> {
     }
 
     /// Where an actor is in the world in this frame.
+    #[inline(never)]
     pub fn place(&self, scene: &Scene<'_>, index: u16, actor: &Actor) -> Place {
         let mut place = Place::from(self.placement(scene, index, actor));
         let mut parent = actor.parent;
@@ -183,6 +184,7 @@ impl Pose<'_> {
 
 impl Scene<'_> {
     /// The scene at frame `number` of its animation.
+    #[inline(never)]
     pub fn pose(&self, number: u32) -> Pose<'static> {
         let header = &self.header;
         let frame = number.checked_rem(header.frames).unwrap_or(number);

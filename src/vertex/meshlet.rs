@@ -42,6 +42,7 @@ impl TransformedMeshlet {
 
 /// Transforms and lights all vertices of `meshlet` into `out`. Gives the rows of the
 /// viewport between them, unless some have to be clipped.
+#[inline(never)]
 pub fn transform_meshlet(
     scene: &Scene<'_>,
     view: &ActorView,
@@ -100,7 +101,8 @@ fn light_vertices(
     out: &mut TransformedMeshlet,
 ) {
     let patch = Patch::new(meshlet, &view.mesh);
-    let lights = SurfaceLights::new(scene, view, &patch);
+    let mut lights = SurfaceLights::NONE;
+    lights.set(scene, view, &patch);
     let tints = scene.meshlet_colours(meshlet, &view.mesh);
     let fine = scene.meshlet_fine(meshlet, &view.mesh);
     let vertices = scene.meshlet_vertices(meshlet).iter().enumerate();

@@ -111,6 +111,14 @@ impl ActorView {
 
     /// Brings one actor that is at `place` before the camera.
     pub fn new(frame: &ViewFrame, scene: &Scene<'_>, actor: &Actor, place: &Place) -> Self {
+        let mut view = Self::ZERO;
+        view.set(frame, scene, actor, place);
+        view
+    }
+
+    /// The same where the view stays: half a kilobyte that needs no room on the stack.
+    #[inline(never)]
+    pub fn set(&mut self, frame: &ViewFrame, scene: &Scene<'_>, actor: &Actor, place: &Place) {
         let mesh = scene.mesh(actor.mesh);
         let material = scene.material(actor.material);
         let to_world = place.rotation;
@@ -178,28 +186,48 @@ impl ActorView {
         let near = world_to_clip(frame.near);
         let middle = [frame.width, frame.height].map(|s| i32::from(s) << (SUBPX_BITS - 1));
         let row_lengths = rows.map(row_length);
-        Self {
-            row_fraction,
-            rows,
-            constants,
-            row_lengths,
-            side_lengths: side_lengths(frame, row_lengths, middle),
-            near,
-            far: world_to_clip(frame.far),
-            lens: frame.lens,
-            perspective: frame.perspective,
-            parallel_shift: scale - frame.lens.exponent,
-            depth: DepthMap::new(frame, scale, near),
-            eye: eye_in_grid(frame, actor, place),
-            lights: ModelLights::new(scene, &material, &to_world),
-            model: ModelFrame::new(actor, place),
-            material,
-            mesh,
-            middle,
-            guard_shift: guard_shift(frame.lens),
-            parallel_guard: shift(MAX_SCREEN.into(), scale - frame.lens.exponent)
-                .min(i32::MAX.into()) as i32,
-        }
+        // Field by field, so that none is made elsewhere first; all are here.
+        let Self {
+            row_fraction: own_row_fraction,
+            rows: own_rows,
+            constants: own_constants,
+            row_lengths: own_row_lengths,
+            side_lengths: own_side_lengths,
+            near: own_near,
+            far,
+            lens: own_lens,
+            perspective,
+            parallel_shift,
+            depth,
+            eye,
+            lights,
+            model,
+            material: own_material,
+            mesh: own_mesh,
+            middle: own_middle,
+            guard_shift: own_guard_shift,
+            parallel_guard,
+        } = self;
+        lights.set(scene, &material, &to_world);
+        *own_row_fraction = row_fraction;
+        *own_rows = rows;
+        *own_constants = constants;
+        *own_row_lengths = row_lengths;
+        *own_side_lengths = side_lengths(frame, row_lengths, middle);
+        *own_near = near;
+        *far = world_to_clip(frame.far);
+        *own_lens = frame.lens;
+        *perspective = frame.perspective;
+        *parallel_shift = scale - frame.lens.exponent;
+        *depth = DepthMap::new(frame, scale, near);
+        *eye = eye_in_grid(frame, actor, place);
+        *model = ModelFrame::new(actor, place);
+        *own_material = material;
+        *own_mesh = mesh;
+        *own_middle = middle;
+        *own_guard_shift = guard_shift(frame.lens);
+        *parallel_guard = shift(MAX_SCREEN.into(), scale - frame.lens.exponent)
+            .min(i32::MAX.into()) as i32;
     }
 
     /// The clip coordinate of the screen's side, which is `half` sub-pixels from

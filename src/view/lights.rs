@@ -28,11 +28,20 @@ impl ModelLights {
     /// The scene's lights as an actor with `rotation` (model to world) and
     /// `material` meets them.
     pub fn new(scene: &Scene<'_>, material: &Material, rotation: &Rotation) -> Self {
+        let mut lights = Self::NONE;
+        lights.set(scene, material, rotation);
+        lights
+    }
+
+    /// The same where they stay.
+    #[inline(never)]
+    pub fn set(&mut self, scene: &Scene<'_>, material: &Material, rotation: &Rotation) {
         let to_model = rotation.transposed();
-        let mut lights = [[0; 3]; LIGHTS];
         let found = scene.lights();
-        let count = found.len().min(LIGHTS);
-        for (slot, light) in lights.iter_mut().zip(found) {
+        self.ambient = material.ambient.into();
+        self.count = found.len().min(LIGHTS);
+        self.lights = [[0; 3]; LIGHTS];
+        for (slot, light) in self.lights.iter_mut().zip(found) {
             // Intensity (16 bits, up to 32) times diffuse (16 bits, up to 1)
             // times 255 levels of 1024 steps: 23 bits and a sign at most.
             let [intensity, ..] = light.colour;
@@ -41,11 +50,6 @@ impl ModelLights {
             *slot = to_model
                 .apply(light.towards)
                 .map(|c| ((i64::from(c) * strength as i64 + (1 << 29)) >> 30) as i32);
-        }
-        Self {
-            ambient: material.ambient.into(),
-            lights,
-            count,
         }
     }
 

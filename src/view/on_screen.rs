@@ -12,9 +12,10 @@ use crate::scene::{Actor, Scene};
 const CLIP_BITS: u32 = SUBPX_BITS + 3;
 
 impl ActorView {
-    /// An actor whose world units are pixels from the screen's top left corner: as
+    /// Becomes that of an actor whose world units are pixels from the screen's top left corner: as
     /// a parallel view has it, at the greatest depth.
-    pub fn on_screen(frame: &ViewFrame, scene: &Scene<'_>, actor: &Actor) -> Self {
+    #[inline(never)]
+    pub fn set_on_screen(&mut self, frame: &ViewFrame, scene: &Scene<'_>, actor: &Actor) {
         let mesh = scene.mesh(actor.mesh);
         let material = scene.material(actor.material);
         let row_fraction = if mesh.fine.is_some() {
@@ -42,7 +43,7 @@ impl ActorView {
         let row_lengths = rows.map(row_length);
         let [length_x, length_y, _] = row_lengths;
         let shift = CLIP_BITS - SUBPX_BITS;
-        Self {
+        *self = Self {
             row_fraction,
             rows,
             constants: [constant(x, half_width), constant(y, half_height), 0],
@@ -58,6 +59,6 @@ impl ActorView {
             lens: frame.lens,
             parallel_guard: MAX_SCREEN << shift,
             ..Self::ZERO
-        }
+        };
     }
 }

@@ -1,6 +1,7 @@
 //! The smallest useful firmware: one frame in bands, row by row to a panel.
 //! What it takes in flash, RAM and stack is what `cargo xtask footprint` says.
 
+use fixel::Scene;
 use fixel::palette::Rgb565Table;
 
 use crate::engine::{self, Buffers, EngineError, Scratch};
@@ -45,12 +46,23 @@ pub fn draw(
     blob: &[u8],
     frame: u32,
     memory: &mut Memory,
+    send: impl FnMut(&[u8]),
+) -> Result<(), EngineError> {
+    // Used where it is: it is half a kilobyte.
+    match &engine::parse(blob) {
+        Ok(scene) if scene.output().is_resolved() => Err(EngineError::Samples),
+        Ok(scene) => show(scene, frame, memory, send),
+        Err(error) => Err(EngineError::Scene(*error)),
+    }
+}
+
+#[inline(never)]
+fn show(
+    scene: &Scene<'_>,
+    frame: u32,
+    memory: &mut Memory,
     mut send: impl FnMut(&[u8]),
 ) -> Result<(), EngineError> {
-    let scene = engine::parse(blob)?;
-    if scene.output().is_resolved() {
-        return Err(EngineError::Samples);
-    }
     let row = &mut memory.row;
     let buffers = Buffers {
         index: &mut memory.index,
@@ -60,7 +72,7 @@ pub fn draw(
         rays: memory.rays.workspace(),
         colours: &mut memory.colours,
     };
-    engine::render(&scene, frame, BAND_ROWS, buffers, |band, colours| {
+    engine::render(scene, frame, BAND_ROWS, buffers, |band, colours| {
         let width = usize::from(band.width).max(1);
         let Some(row) = row.get_mut(..width) else {
             return;

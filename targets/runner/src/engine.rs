@@ -85,8 +85,9 @@ impl<F: FnMut(BandRows<'_>, &Rgb565Table)> Display for Sink<'_, F> {
 }
 
 /// Checks a blob, which starts at a multiple of 4.
-pub fn parse(blob: &[u8]) -> Result<Scene<'_>, EngineError> {
-    Scene::parse(blob).map_err(EngineError::Scene)
+#[inline(always)]
+pub fn parse(blob: &[u8]) -> Result<Scene<'_>, SceneError> {
+    Scene::parse(blob)
 }
 
 /// Renders `frame` in bands of at most `band_rows` rows, top to bottom, and

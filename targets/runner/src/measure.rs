@@ -196,7 +196,7 @@ pub fn measure<
     job: Job,
     memory: &mut Memory<PIXELS, MESHLETS, SLOTS, ACTORS>,
 ) -> Result<(), EngineError> {
-    let scene = engine::parse(blob)?;
+    let scene = engine::parse(blob).map_err(EngineError::Scene)?;
     let output = scene.output();
     if output.is_resolved() && usize::from(scene.width()) > WIDTH {
         return Err(EngineError::Memory);
