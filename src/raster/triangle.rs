@@ -132,7 +132,10 @@ fn fill_triangle(
     fill: Fill<'_>,
 ) {
     let perspective =
-        perspective && matches!(fill, Fill::Gouraud(_)) && perspective::shows(triangle, seen);
+        cfg!(feature = "gouraud")
+            && perspective
+            && matches!(fill, Fill::Gouraud(_))
+            && perspective::shows(triangle, seen);
     if !perspective && is_small(seen, target) && fill_small(target, triangle, seen, fill) {
         return;
     }
@@ -159,6 +162,8 @@ fn fill_large(
     let sliver = |span: Span<'_>| sliver::span(span, &shape, fill);
     match fill {
         Fill::Depth => {}
+        // Without the feature there is none.
+        Fill::Gouraud(_) if !cfg!(feature = "gouraud") => {}
         Fill::Flat(index) => scan(
             target,
             &shape,

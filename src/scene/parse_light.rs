@@ -83,6 +83,9 @@ impl Scene<'_> {
             if !cfg!(feature = "light") && (material.full || material.coloured) {
                 return Err(SceneError::Feature { name: "light" });
             }
+            if !cfg!(feature = "gouraud") && material.shading != Shading::Flat {
+                return Err(SceneError::Feature { name: "gouraud" });
+            }
             let [shading, cull, ..] = words.first().map_or([0; 4], |w| w.to_ne_bytes());
             let most = |all: usize| all as i64 - 1;
             range(

@@ -2,7 +2,7 @@
 
 use fixed::types::U8F24;
 
-use super::{Actor, Quantity, Scene, Track};
+use super::{Actor, Quantity, Scene};
 use crate::math::{Angle, Factor, Rotation, Vec3, World};
 
 /// How depth shrinks things.
@@ -153,7 +153,7 @@ impl Pose<'_> {
             orientation: actor.orientation.map(Angle::from_bits),
             scale: Factor::ONE,
         };
-        for track in scene.tracks().filter(|track| track.target == index) {
+        for track in scene.moving(index) {
             let between = scene.between(&track, self.frame);
             match track.quantity {
                 Quantity::Position => placement.position = Vec3::from_bits(between.rounded()),
@@ -189,7 +189,7 @@ impl Scene<'_> {
         let header = &self.header;
         let frame = number.checked_rem(header.frames).unwrap_or(number);
         Pose {
-            camera: self.moved_camera(header.camera.camera(), frame),
+            camera: self.moved_camera(header.camera.camera(), None, frame),
             height: self.frame_height(),
             turn: Angle::fraction(number, header.turntable),
             frame,
@@ -208,10 +208,15 @@ impl Scene<'_> {
         shift.checked_div(frames.into()).unwrap_or(0) as u16
     }
 
-    /// The camera with its tracks, in their order.
-    fn moved_camera(&self, mut camera: Camera, frame: u32) -> Camera {
-        let of_camera = |track: &Track| track.target == super::layout::CAMERA;
-        for track in self.tracks().filter(of_camera) {
+    /// A camera, the scene's or a viewport's own, with its tracks, in their order.
+    pub(super) fn moved_camera(
+        &self,
+        mut camera: Camera,
+        viewport: Option<u8>,
+        frame: u32,
+    ) -> Camera {
+        let tracks = self.moving(super::layout::CAMERA);
+        for track in tracks.filter(|track| track.viewport == viewport) {
             let between = self.between(&track, frame);
             match track.quantity {
                 Quantity::Position => camera.position = Vec3::from_bits(between.rounded()),

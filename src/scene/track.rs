@@ -65,6 +65,8 @@ impl Quantity {
 pub struct Track {
     /// The actor's index, or [`CAMERA`](layout::CAMERA).
     pub target: u16,
+    /// Of the camera: whose own it is, if not the scene's.
+    pub viewport: Option<u8>,
     /// What of it.
     pub quantity: Quantity,
     /// Its first key in the scene's list.
@@ -78,10 +80,11 @@ impl Record for Track {
 
     fn from_words(words: &Self::Words) -> Self {
         let [ids, first_key, keys] = words.map(u);
-        let code = (ids >> 16) as usize;
+        let code = usize::from((ids >> 16) as u8);
         let quantity = Quantity::ALL.get(code).copied();
         Self {
             target: ids as u16,
+            viewport: ((ids >> 24) as u8).checked_sub(1),
             quantity: quantity.unwrap_or(Quantity::Position),
             first_key,
             keys,
@@ -89,7 +92,8 @@ impl Record for Track {
     }
 
     fn to_words(&self) -> Self::Words {
-        let ids = u32::from(self.target) | (self.quantity as u32) << 16;
+        let viewport = self.viewport.map_or(0, |viewport| u32::from(viewport) + 1);
+        let ids = u32::from(self.target) | (self.quantity as u32) << 16 | viewport << 24;
         [ids, self.first_key, self.keys].map(u32::to_le)
     }
 }
@@ -158,6 +162,14 @@ impl Scene<'_> {
         self.tracks.iter().map(Track::from_words)
     }
 
+    /// The tracks of an actor, or of the [`CAMERA`](layout::CAMERA).
+    pub(super) fn moving(&self, target: u16) -> impl Iterator<Item = Track> + use<'_> {
+        // Without the feature there are none.
+        let tracks = cfg!(feature = "animation").then(|| self.tracks());
+        let tracks = tracks.into_iter().flatten();
+        tracks.filter(move |track| track.target == target)
+    }
+
     /// A track's keys, in the order of their frames.
     pub fn keys(&self, track: &Track) -> impl ExactSizeIterator<Item = Key> + use<'_> {
         self.key_words(track).iter().map(Key::from_words)
@@ -193,6 +205,12 @@ impl Scene<'_> {
 
     /// Whose each track is and what it moves, and keys in the order of frames.
     pub(super) fn check_tracks(&self) -> Result<(), SceneError> {
+        if !cfg!(feature = "animation") {
+            return match self.tracks {
+                [] => Ok(()),
+                _ => Err(SceneError::Feature { name: "animation" }),
+            };
+        }
         for (i, (track, words)) in self.tracks().zip(self.tracks).enumerate() {
             let s = Section::Tracks;
             let camera = track.target == layout::CAMERA;
@@ -200,7 +218,15 @@ impl Scene<'_> {
                 let actors = self.actors.len() as i64;
                 range(s, i, Field::Target, track.target.into(), 0, actors - 1)?;
             }
-            let code = words.first().map_or(0, |w| u32::from_le(*w) >> 16);
+            if let Some(viewport) = track.viewport {
+                let viewports = if camera {
+                    self.viewports.len() as i64
+                } else {
+                    0
+                };
+                range(s, i, Field::Target, viewport.into(), 0, viewports - 1)?;
+            }
+            let code = words.first().map_or(0, |w| u32::from_le(*w) >> 16 & 255);
             let known = Quantity::ALL.len() as i64 - 1;
             range(s, i, Field::Quantity, code.into(), 0, known)?;
             let has = if camera {

@@ -154,13 +154,16 @@ impl<'a> Scene<'a> {
             bottom: rect.bottom * down,
         };
         let number_in_file = number.checked_rem(self.viewports_an_eye()).unwrap_or(0);
-        let moved = pose
+        let given = pose
             .cameras
             .iter()
             .find(|(which, _)| *which == number_in_file);
-        let camera = match (moved, viewport.camera) {
+        let camera = match (given, viewport.camera) {
             (Some((_, camera)), _) => *camera,
-            (None, Some(own)) => own.camera(),
+            (None, Some(own)) => {
+                let number = Some(number_in_file as u8);
+                self.moved_camera(own.camera(), number, pose.frame)
+            }
             (None, None) => pose.camera,
         };
         let magnified = if viewport.stretch {

@@ -50,7 +50,7 @@ pub fn transform_meshlet(
     out: &mut TransformedMeshlet,
 ) -> Option<Range<u16>> {
     let rows = MeshletRows::new(view, meshlet);
-    let gouraud = view.material.shading == Shading::Gouraud;
+    let gouraud = cfg!(feature = "gouraud") && view.material.shading == Shading::Gouraud;
     let full = cfg!(feature = "light") && view.material.full;
     let lit = gouraud && !full;
     let vertices = scene.meshlet_vertices(meshlet);

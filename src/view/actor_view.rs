@@ -226,8 +226,8 @@ impl ActorView {
         *own_mesh = mesh;
         *own_middle = middle;
         *own_guard_shift = guard_shift(frame.lens);
-        *parallel_guard = shift(MAX_SCREEN.into(), scale - frame.lens.exponent)
-            .min(i32::MAX.into()) as i32;
+        *parallel_guard =
+            shift(MAX_SCREEN.into(), scale - frame.lens.exponent).min(i32::MAX.into()) as i32;
     }
 
     /// The clip coordinate of the screen's side, which is `half` sub-pixels from

@@ -19,7 +19,11 @@ pub(crate) fn tracks(
         tracks.push(core_scene::Track {
             target: match track.target {
                 Target::Actor(index) => index as u16,
-                Target::Camera => layout::CAMERA,
+                Target::Camera | Target::Viewport(_) => layout::CAMERA,
+            },
+            viewport: match track.target {
+                Target::Viewport(number) => Some(number as u8),
+                _ => None,
             },
             quantity: quantity(track.quantity),
             first_key: keys.len() as u32,
@@ -68,9 +72,7 @@ fn values(
         (Target::Actor(index), Quantity::Position) => {
             placed[index].position(units, &scene.actors[index], value)
         }
-        (Target::Camera, Quantity::Position) => {
-            units.place("animation.key.position", DVec3::from(value))
-        }
+        (_, Quantity::Position) => units.place("animation.key.position", DVec3::from(value)),
         (_, Quantity::FocalPoint) => units.place("animation.key.focal_point", DVec3::from(value)),
         (_, Quantity::Pan) => units.vector("animation.key.pan", DVec3::from(value)),
         (_, Quantity::Orientation | Quantity::Azimuth | Quantity::Elevation | Quantity::Roll) => {

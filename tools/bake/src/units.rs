@@ -28,9 +28,7 @@ impl Units {
         let cameras: Vec<&Camera> = own.chain([&scene.camera]).collect();
         let reach = Reach::of(scene);
         let actors = reach.actors.iter().map(|(c, r)| (DVec3::from(*c), *r));
-        let views = reach.views.iter().copied();
-        let views = views.chain(cameras.iter().map(|camera| camera.position));
-        let views = views.map(|view| (DVec3::from(view), 0.0));
+        let views = reach.views.iter().map(|view| (DVec3::from(*view), 0.0));
         let spheres: Vec<(DVec3, f64)> = actors.chain(views).collect();
         let low = spheres
             .iter()

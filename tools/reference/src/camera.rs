@@ -1,16 +1,25 @@
 //! The camera in a frame.
 
-use fixel_scene::{Camera, Projection, Quantity, Scene, Target};
+use fixel_scene::{Animation, Camera, Projection, Quantity, Scene, Target};
 use glam::{DQuat, DVec3};
 
 use crate::track::sample;
 
-/// The camera of frame `frame`: the scene's, moved to where its tracks have it and
+/// The scene's camera in frame `frame`; see [`moved`].
+pub fn camera_at(scene: &Scene, frame: u32) -> Camera {
+    moved(&scene.animation, scene.camera, Target::Camera, frame)
+}
+
+/// A camera in frame `frame`: as it stands, moved to where its tracks have it and
 /// then by azimuth, elevation, roll, dolly, zoom and pan, as VTK's `vtkCamera` does
 /// it. The clipping range stays.
-pub fn camera_at(scene: &Scene, frame: u32) -> Camera {
-    let mut camera = scene.camera;
-    let now = |quantity, plain| sample(&scene.animation, Target::Camera, quantity, frame, plain);
+pub(crate) fn moved(
+    animation: &Animation,
+    mut camera: Camera,
+    target: Target,
+    frame: u32,
+) -> Camera {
+    let now = |quantity, plain| sample(animation, target, quantity, frame, plain);
     let number = |quantity, plain: f64| now(quantity, [plain, 0.0, 0.0])[0];
     let mut eye = DVec3::from(now(Quantity::Position, camera.position));
     let mut focus = DVec3::from(now(Quantity::FocalPoint, camera.focal_point));

@@ -1,9 +1,9 @@
 //! The parts of a picture that have cameras of their own.
 
-use crate::camera::camera_at;
+use crate::camera::{camera_at, moved};
 use crate::geometry::Geometry;
 use crate::view::View;
-use fixel_scene::{Aspect, Background, Camera, Display, Rgb, Scene, Viewport};
+use fixel_scene::{Aspect, Background, Display, Rgb, Scene, Target, Viewport};
 use glam::DVec3;
 
 /// A viewport in a picture.
@@ -34,12 +34,12 @@ impl Window {
             [] => &whole[..],
             viewports => viewports,
         };
-        let moved = camera_at(scene, frame);
+        let scenes_own = camera_at(scene, frame);
         let Display {
             samples, stereo, ..
         } = scene.display;
         let columns = width * stereo.joined() / stereo.eyes();
-        let window = |eye: u32, viewport: &Viewport| {
+        let window = |eye: u32, number: usize, viewport: &Viewport| {
             let [x, y, w, h] = viewport.rectangle;
             let ([left, right], [top, bottom]) = (
                 [x, x + w].map(|at| line(at, columns)),
@@ -50,11 +50,14 @@ impl Window {
                 Aspect::Keep => f64::from(size[0]) / f64::from(size[1]),
                 Aspect::Stretch => f64::from(width) / f64::from(height),
             };
-            let camera: &Camera = viewport.camera.as_ref().unwrap_or(&moved);
+            let camera = match viewport.camera {
+                Some(own) => moved(&scene.animation, own, Target::Viewport(number), frame),
+                None => scenes_own,
+            };
             let size = [size[0] * samples[0], size[1] * samples[1]];
             let slope = (stereo.eye_angle() / 2.0).to_radians().tan();
             let slope = if eye == 0 { -slope } else { slope };
-            let view = View::shaped(camera, size, shape).of_eye(camera, slope);
+            let view = View::shaped(&camera, size, shape).of_eye(&camera, slope);
             let aside = eye * (width * stereo.joined() - columns);
             Self {
                 corner: [(aside + left) * samples[0], top * samples[1]],
@@ -66,8 +69,8 @@ impl Window {
             }
         };
         let eyes = 0..stereo.eyes();
-        eyes.flat_map(|eye| viewports.iter().map(move |viewport| (eye, viewport)))
-            .map(|(eye, viewport)| window(eye, viewport))
+        eyes.flat_map(|eye| viewports.iter().enumerate().map(move |(n, v)| (eye, n, v)))
+            .map(|(eye, number, viewport)| window(eye, number, viewport))
             .collect()
     }
 

@@ -170,16 +170,19 @@ pub(crate) fn moved(mut camera: Camera, quantity: Quantity, value: [f64; 3]) -> 
 }
 
 /// The camera in all frames that are worth a look: one if it stands still.
-pub(crate) fn cameras(camera: &Camera, animation: &Animation) -> Vec<Camera> {
-    if tracks(animation, Target::Camera).next().is_none() {
+pub(crate) fn cameras(camera: &Camera, animation: &Animation, target: Target) -> Vec<Camera> {
+    if tracks(animation, target).next().is_none() {
         return vec![*camera];
     }
-    let at = |frame: f64| {
-        tracks(animation, Target::Camera).fold(*camera, |camera, track| {
-            moved(camera, track.quantity, value(track, frame))
-        })
-    };
+    let at = |frame: f64| camera_at(camera, animation, target, frame);
     frames(animation, FRAMES[0]).into_iter().map(at).collect()
+}
+
+/// A camera that the tracks of `target` move.
+fn camera_at(camera: &Camera, animation: &Animation, target: Target, frame: f64) -> Camera {
+    tracks(animation, target).fold(*camera, |camera, track| {
+        moved(camera, track.quantity, value(track, frame))
+    })
 }
 
 /// How far everything gets in all frames.
@@ -196,12 +199,19 @@ impl Reach {
     pub fn of(scene: &Scene) -> Self {
         let bounds = Bounds::of(&scene.actors, &scene.meshes, &scene.animation);
         let sphere = |(centre, radius): &(DVec3, f64)| (centre.to_array(), *radius);
-        let mut views = vec![scene.camera.position];
-        if tracks(&scene.animation, Target::Camera).next().is_some() {
-            let cameras = cameras(&scene.camera, &scene.animation);
-            let both = |camera: Camera| [camera.position, camera.focal_point];
-            views.push(scene.camera.focal_point);
-            views.extend(cameras.into_iter().flat_map(both));
+        let own = scene.viewports.iter().enumerate();
+        let own = own.filter_map(|(number, viewport)| {
+            Some((Target::Viewport(number), viewport.camera.as_ref()?))
+        });
+        let mut views = Vec::new();
+        for (target, camera) in [(Target::Camera, &scene.camera)].into_iter().chain(own) {
+            views.push(camera.position);
+            if tracks(&scene.animation, target).next().is_some() {
+                let cameras = cameras(camera, &scene.animation, target);
+                let both = |camera: Camera| [camera.position, camera.focal_point];
+                views.push(camera.focal_point);
+                views.extend(cameras.into_iter().flat_map(both));
+            }
         }
         Self {
             actors: bounds.spheres().iter().map(sphere).collect(),
@@ -217,6 +227,8 @@ pub struct Moment {
     pub actors: Vec<[[f64; 4]; 4]>,
     /// [`Scene::camera`], moved.
     pub camera: Camera,
+    /// Each viewport's own camera, moved, if it has one.
+    pub viewports: Vec<Option<Camera>>,
 }
 
 impl Moment {
@@ -246,12 +258,17 @@ impl Moment {
             let [x, y, z] = DVec3::AXES.map(axis);
             [x, y, z, origin.extend(1.0).to_array()]
         };
-        let tracks = tracks(&scene.animation, Target::Camera);
+        let camera = |camera, target| camera_at(camera, &scene.animation, target, at.frame);
+        let viewports = scene.viewports.iter().enumerate();
         Self {
             actors: (0..scene.actors.len()).map(matrix).collect(),
-            camera: tracks.fold(scene.camera, |camera, track| {
-                moved(camera, track.quantity, value(track, at.frame))
-            }),
+            camera: camera(&scene.camera, Target::Camera),
+            viewports: viewports
+                .map(|(number, viewport)| {
+                    let own = viewport.camera.as_ref()?;
+                    Some(camera(own, Target::Viewport(number)))
+                })
+                .collect(),
         }
     }
 }

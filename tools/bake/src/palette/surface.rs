@@ -34,7 +34,7 @@ pub(super) fn samples(scene: &Scene) -> Vec<Sample> {
     let moments = Moment::some(scene, MOMENTS);
     let mut samples = Vec::new();
     for moment in &moments {
-        let windows = windows(scene, &moment.camera);
+        let windows = windows(scene, moment);
         for (window, share, background) in windows {
             let share = share / moments.len() as f64;
             let mut pieces = Vec::new();
@@ -69,7 +69,7 @@ pub(super) fn brightest(scene: &Scene, material: usize) -> f64 {
     };
     let mut most = 0.0;
     for moment in Moment::some(scene, MOMENTS) {
-        for (window, ..) in windows(scene, &moment.camera) {
+        for (window, ..) in windows(scene, &moment) {
             for (actor, matrix) in scene.actors.iter().zip(&moment.actors) {
                 if actor.material != material {
                     continue;
@@ -86,23 +86,24 @@ pub(super) fn brightest(scene: &Scene, material: usize) -> f64 {
 
 /// What the cameras see, of each viewport or of the whole picture, how much of the
 /// picture that is, and what is behind everything.
-fn windows<'a>(scene: &'a Scene, camera: &Camera) -> Vec<(Window, f64, &'a Background)> {
+fn windows<'a>(scene: &'a Scene, moment: &Moment) -> Vec<(Window, f64, &'a Background)> {
     let whole = f64::from(scene.display.width) / f64::from(scene.display.height);
     let all = &scene.display.background;
-    let window = |viewport: &'a Viewport| {
+    let window = |(viewport, own): (&'a Viewport, &Option<Camera>)| {
         let [_, _, width, height] = viewport.rectangle;
         let aspect = match viewport.aspect {
             Aspect::Keep => whole * width / height,
             Aspect::Stretch => whole,
         };
-        let window = Window::new(viewport.camera.as_ref().unwrap_or(camera), aspect);
+        let window = Window::new(own.as_ref().unwrap_or(&moment.camera), aspect);
         let background = viewport.background.as_ref().unwrap_or(all);
         (window, width * height, background)
     };
     if scene.viewports.is_empty() {
-        vec![(Window::new(camera, whole), 1.0, all)]
+        vec![(Window::new(&moment.camera, whole), 1.0, all)]
     } else {
-        scene.viewports.iter().map(window).collect()
+        let viewports = scene.viewports.iter().zip(&moment.viewports);
+        viewports.map(window).collect()
     }
 }
 

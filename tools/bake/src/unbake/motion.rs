@@ -122,10 +122,10 @@ fn track(blob: &Blob<'_>, places: &Places, track: &core_scene::Track) -> Track {
         }
     };
     Track {
-        target: if camera {
-            Target::Camera
-        } else {
-            Target::Actor(track.target.into())
+        target: match track.viewport {
+            Some(number) => Target::Viewport(number.into()),
+            None if camera => Target::Camera,
+            None => Target::Actor(track.target.into()),
         },
         quantity: quantity(track.quantity),
         keys: blob

@@ -46,8 +46,10 @@ pub struct Track {
 pub enum Target {
     /// An actor, by its index.
     Actor(usize),
-    /// The camera.
+    /// The scene's camera.
     Camera,
+    /// A viewport's own camera, by the viewport's number.
+    Viewport(usize),
 }
 
 /// What of it a track moves. The camera's are turns and factors beside what

@@ -19,6 +19,7 @@ pub(super) const ANIMATION: Keys = Keys {
 pub(super) const KEY: Keys = Keys {
     known: &[
         "actor",
+        "viewport",
         "frame",
         "position",
         "focal_point",
@@ -47,10 +48,12 @@ const CAMERA: &str = "camera";
 /// Keys as they come, by what they move.
 type Found = BTreeMap<(Target, Quantity), Vec<Key>>;
 
-/// What moves; nothing by default.
+/// What moves; nothing by default. `own` says of each viewport whether it has a camera
+/// of its own.
 pub(super) fn animation(
     table: Option<&Table<'_, '_>>,
     actors: &[Actor],
+    own: &[bool],
     palette: &Palette,
 ) -> Result<Animation, Error> {
     let Some(table) = table else {
@@ -61,7 +64,7 @@ pub(super) fn animation(
     let mut found = Found::new();
     for (key, header) in many(table, "key")? {
         let key = Table::new(table.source, "animation.key", key, header, &KEY)?;
-        read(&key, frames.unwrap_or(MOST), actors, &mut found)?;
+        read(&key, frames.unwrap_or(MOST), actors, own, &mut found)?;
     }
     let last = found.values().flatten().map(|key| key.frame).max();
     let track = |((target, quantity), mut keys): (_, Vec<Key>)| {
@@ -112,18 +115,23 @@ fn read(
     table: &Table<'_, '_>,
     frames: u32,
     actors: &[Actor],
+    own: &[bool],
     found: &mut Found,
 ) -> Result<(), Error> {
     let Some(name) = table.text("actor", "arm")? else {
         let what = "is missing; expected the name of an [[actor]], or actor = \"camera\"";
         return Err(table.error("actor", what));
     };
-    let target = if name == CAMERA {
-        Target::Camera
-    } else {
-        Target::Actor(find(table, "actor", name, actors)?)
+    let target = match viewport(table, own)? {
+        Some(viewport) if name == CAMERA => Target::Viewport(viewport),
+        Some(_) => {
+            let what = "says nothing of an actor; expected it beside actor = \"camera\"";
+            return Err(table.error("viewport", what));
+        }
+        None if name == CAMERA => Target::Camera,
+        None => Target::Actor(find(table, "actor", name, actors)?),
     };
-    if target == Target::Camera && actors.iter().any(|actor| actor.name == CAMERA) {
+    if name == CAMERA && actors.iter().any(|actor| actor.name == CAMERA) {
         let what = "is the name of an actor and means the camera; expected another name for it";
         return Err(table.error("actor", format!("\"{CAMERA}\" {what}")));
     }
@@ -165,7 +173,7 @@ fn read(
         );
         let of_camera = !matches!(quantity, Quantity::Orientation | Quantity::Scale);
         let (has, whose) = match target {
-            Target::Camera => (of_camera, "the camera"),
+            Target::Camera | Target::Viewport(_) => (of_camera, "the camera"),
             Target::Actor(_) => (of_actor, "an actor"),
         };
         if !has {
@@ -179,4 +187,20 @@ fn read(
         keys.push(Key { frame, value });
     }
     Ok(())
+}
+
+/// The viewport whose camera a key moves, if it is not the scene's.
+fn viewport(table: &Table<'_, '_>, own: &[bool]) -> Result<Option<usize>, Error> {
+    let Some(number) = table.whole("viewport", 0..=MOST)? else {
+        return Ok(None);
+    };
+    let wrong = match own.get(number as usize) {
+        Some(true) => return Ok(Some(number as usize)),
+        Some(false) => "has no camera of its own; expected [viewport.camera] below it".to_owned(),
+        None => format!(
+            "is not there, the file has {}; expected e.g. viewport = 0 for the first [[viewport]]",
+            own.len()
+        ),
+    };
+    Err(table.error("viewport", format!("viewport {number} {wrong}")))
 }

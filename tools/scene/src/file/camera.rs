@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::table::{Keys, Neutral, Table};
-use crate::description::{Animation, Camera, Projection, Quantity};
+use crate::description::{Animation, Camera, Projection, Quantity, Target};
 use crate::error::Error;
 use crate::framing::{self, Bounds};
 use crate::motion;
@@ -36,15 +36,17 @@ enum Kind {
     Parallel,
 }
 
-/// Without a position the eye looks along -z and sees all of `bounds`.
+/// Without a position the eye looks along -z and sees all of `bounds`. The tracks of
+/// `target` move it.
 pub(super) fn camera(
     table: Option<&Table<'_, '_>>,
     bounds: &Bounds,
     aspect: f64,
     animation: &Animation,
+    target: Target,
 ) -> Result<Camera, Error> {
     let range = |camera: &Camera| {
-        let cameras = motion::cameras(camera, animation);
+        let cameras = motion::cameras(camera, animation, target);
         framing::clipping_range(&cameras, bounds)
     };
     let Some(table) = table else {

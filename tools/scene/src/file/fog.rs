@@ -36,8 +36,8 @@ pub(super) fn fog(table: &Table<'_, '_>) -> Result<Fog, Error> {
     for key in stray {
         if table.has(key) {
             let expected = match mode {
-                Mode::Linear => "fog of mode \"linear\" has start and end",
-                _ => "exponential fog has a density",
+                Mode::Linear => "expected e.g. start = 10, end = 100, or mode = \"exponential\"",
+                _ => "expected e.g. density = 0.02, or mode = \"linear\"",
             };
             return Err(table.error(key, format!("means nothing here; {expected}")));
         }

@@ -28,7 +28,7 @@ use glam::DVec3;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::description::{Actor, Camera, Light, LightKind, Material, Mesh, Scene};
+use crate::description::{Actor, Camera, Light, LightKind, Material, Mesh, Scene, Target};
 use crate::error::Error;
 use crate::framing::Bounds;
 use crate::look::Representation;
@@ -89,17 +89,18 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
     }
 
     let animation = one(&root, "animation", &animation::ANIMATION)?;
-    let animation = animation::animation(animation.as_ref(), &actors, &palette)?;
+    let own_cameras = viewport::own_cameras(&root)?;
+    let animation = animation::animation(animation.as_ref(), &actors, &own_cameras, &palette)?;
 
     let bounds = Bounds::of(&actors, &meshes, &animation);
     let aspect = f64::from(display.width) / f64::from(display.height);
     let camera = one(&root, "camera", &camera::CAMERA)?;
-    let camera = camera::camera(camera.as_ref(), &bounds, aspect, &animation)?;
+    let camera = camera::camera(camera.as_ref(), &bounds, aspect, &animation, Target::Camera)?;
     let fog = one(&root, "fog", &fog::FOG)?;
     let fog = fog.as_ref().map(fog::fog).transpose()?;
     let ray = one(&root, "ray", &ray::RAY)?;
     let ray = ray::ray(ray.as_ref())?;
-    let viewports = viewport::viewports(&root, &bounds, &display)?;
+    let viewports = viewport::viewports(&root, &bounds, &display, &animation)?;
     let lights = lights.unwrap_or_else(|| vec![headlight(&camera)]);
     Ok(Scene {
         display,
@@ -249,7 +250,9 @@ fn actors(
                     None => {
                         let bytes = mesh::check_name(&path)
                             .and_then(|()| mesh::read(&path))
-                            .map_err(|what| table.error("mesh", format!("\"{name}\" {what}")))?;
+                            .map_err(|what| {
+                                table.file_error("mesh", name, &what, "meshes/teapot.obj")
+                            })?;
                         let mut loaded = mesh::parse(&path, &bytes)?;
                         loaded.mesh.name = name.to_owned();
                         notes.append(&mut loaded.notes);

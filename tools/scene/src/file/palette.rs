@@ -26,14 +26,15 @@ pub(super) fn palette(table: Option<&Table<'_, '_>>) -> Result<Palette, Error> {
     let Some(table) = table else {
         return Ok(palette);
     };
-    if let Some(name) = table.text("file", "palettes/warm.gpl")? {
+    let example = "palettes/warm.gpl";
+    if let Some(name) = table.text("file", example)? {
         if let Some(key) = ["colours", "ramps"].into_iter().find(|key| table.has(key)) {
             let what = "does not go with file, which has all entries; expected one of the two";
             return Err(table.error(key, what));
         }
         let path = table.source.beside(name);
         palette.fixed = palette_file::read(&path)
-            .map_err(|what| table.error("file", format!("\"{name}\" {what}")))?;
+            .map_err(|what| table.file_error("file", name, &what, example))?;
         palette.colours = palette.fixed.len() as u32;
     }
     if let Some(colours) = table.whole("colours", 2..=256)? {

@@ -102,7 +102,7 @@ impl<'t, 'i> Table<'t, 'i> {
 
     fn not_yet(&self, key: &str, offset: usize, neutral: &Neutral) -> Error {
         let but = match neutral {
-            Neutral::Never => String::new(),
+            Neutral::Never => "; expected no such key".to_owned(),
             Neutral::Text(value) => format!("; expected {key} = \"{value}\", or no such key"),
         };
         self.source.error(
@@ -129,6 +129,18 @@ impl<'t, 'i> Table<'t, 'i> {
         };
         self.source
             .error(offset, format!("{}: {}", self.field(key), message.as_ref()))
+    }
+
+    /// An error about a file that a key names, with an example if `what` has none.
+    pub fn file_error(&self, key: &str, name: &str, what: &str, example: &str) -> Error {
+        let expected = if what.contains("expected") {
+            String::new()
+        } else {
+            format!(
+                "; expected a file's name, relative to the scene file, e.g. {key} = \"{example}\""
+            )
+        };
+        self.error(key, format!("\"{name}\" {what}{expected}"))
     }
 
     /// The raw value.

@@ -93,7 +93,7 @@ fn read(
         return Ok(known);
     }
     let picture = mesh::read(&table.source.beside(name)).and_then(|bytes| picture::decode(&bytes));
-    let picture = picture.map_err(|what| table.error(key, format!("\"{name}\" {what}")))?;
+    let picture = picture.map_err(|what| table.file_error(key, name, &what, EXAMPLE))?;
     textures.push(picture.texture(name));
     Ok(textures.len() - 1)
 }

@@ -1,10 +1,12 @@
 //! `[[viewport]]`.
 
-use toml::de::DeValue;
+use std::ops::Range;
+
+use toml::de::{DeTable, DeValue};
 
 use super::table::{Keys, Table};
 use super::{camera, colour, many};
-use crate::description::{Animation, Aspect, Camera, Display, Viewport};
+use crate::description::{Animation, Aspect, Camera, Display, Target, Viewport};
 use crate::error::Error;
 use crate::framing::Bounds;
 
@@ -23,6 +25,7 @@ pub(super) fn viewports(
     root: &Table<'_, '_>,
     bounds: &Bounds,
     display: &Display,
+    animation: &Animation,
 ) -> Result<Vec<Viewport>, Error> {
     let mut viewports = Vec::new();
     for (table, header) in many(root, "viewport")? {
@@ -32,12 +35,25 @@ pub(super) fn viewports(
             let what = format!("viewport: is one too many; expected at most {MOST} [[viewport]]");
             return Err(root.source.error(start, what));
         }
-        viewports.push(viewport(&table, bounds, display)?);
+        let target = Target::Viewport(viewports.len());
+        viewports.push(viewport(&table, bounds, display, (animation, target))?);
     }
     Ok(viewports)
 }
 
-fn viewport(table: &Table<'_, '_>, bounds: &Bounds, display: &Display) -> Result<Viewport, Error> {
+/// Whether each viewport has a camera of its own.
+pub(super) fn own_cameras(root: &Table<'_, '_>) -> Result<Vec<bool>, Error> {
+    let viewports = many(root, "viewport")?;
+    let own = |(table, _): &(&DeTable<'_>, Range<usize>)| table.contains_key("camera");
+    Ok(viewports.iter().map(own).collect())
+}
+
+fn viewport(
+    table: &Table<'_, '_>,
+    bounds: &Bounds,
+    display: &Display,
+    moves: (&Animation, Target),
+) -> Result<Viewport, Error> {
     let rectangle = rectangle(table)?;
     let aspects = [("keep", Aspect::Keep), ("stretch", Aspect::Stretch)];
     let aspect = table.choice("aspect", &aspects, &[])?;
@@ -49,13 +65,18 @@ fn viewport(table: &Table<'_, '_>, bounds: &Bounds, display: &Display) -> Result
     let shape = (f64::from(display.width) * width) / (f64::from(display.height) * height);
     Ok(Viewport {
         rectangle,
-        camera: own_camera(table, bounds, shape)?,
+        camera: own_camera(table, bounds, shape, moves)?,
         background: colour::background(table, "background")?,
         aspect,
     })
 }
 
-fn own_camera(table: &Table<'_, '_>, bounds: &Bounds, shape: f64) -> Result<Option<Camera>, Error> {
+fn own_camera(
+    table: &Table<'_, '_>,
+    bounds: &Bounds,
+    shape: f64,
+    (animation, target): (&Animation, Target),
+) -> Result<Option<Camera>, Error> {
     let Some(value) = table.get("camera") else {
         return Ok(None);
     };
@@ -65,9 +86,7 @@ fn own_camera(table: &Table<'_, '_>, bounds: &Bounds, shape: f64) -> Result<Opti
     };
     let keys = &camera::CAMERA;
     let inner = Table::new(table.source, "viewport.camera", inner, value.span(), keys)?;
-    // Key frames move the scene's own camera only.
-    let still = Animation::default();
-    camera::camera(Some(&inner), bounds, shape, &still).map(Some)
+    camera::camera(Some(&inner), bounds, shape, animation, target).map(Some)
 }
 
 /// Within the picture, and not empty.

@@ -7,6 +7,8 @@ macro_rules! messages {
         #[test]
         fn $name() {
             assert_eq!(refused($text), $message);
+            // Each says what was meant.
+            assert!(["expected", "did you mean"].iter().any(|said| $message.contains(said)));
         }
     )*};
 }
@@ -142,7 +144,8 @@ messages! {
         => "t.toml:3: material.transparency: \"alpha\" is unknown; \
             expected \"blend\" or \"screen_door\"";
     texture: "[[material]]\ntexture = \"wood.png\""
-        => "t.toml:2: material.texture: \"wood.png\" does not exist";
+        => "t.toml:2: material.texture: \"wood.png\" does not exist; expected a file's name, \
+            relative to the scene file, e.g. texture = \"textures/wood.png\"";
     texture_kind: "[[material]]\ntexture = \"meshes/cube.obj\""
         => "t.toml:2: material.texture: \"meshes/cube.obj\" is not a kind of picture; \
             expected a PNG or a JPEG file";
@@ -170,7 +173,8 @@ messages! {
         => "t.toml:2: display.eye_angle: means nothing for one eye; \
             expected e.g. stereo = \"anaglyph\" beside it";
     fog_density: "[fog]\ncolour = \"#808080\"\ndensity = 0.1"
-        => "t.toml:3: fog.density: means nothing here; fog of mode \"linear\" has start and end";
+        => "t.toml:3: fog.density: means nothing here; \
+            expected e.g. start = 10, end = 100, or mode = \"exponential\"";
     fog_end: "[fog]\ncolour = \"#808080\"\nstart = 5\nend = 4"
         => "t.toml:4: fog.end: 4 is not beyond start 5; expected e.g. start = 10, end = 100";
     fog_without_colour: "[fog]\nend = 4"
@@ -207,7 +211,8 @@ messages! {
         => "t.toml:2: palette.file: \"warm.act\" is not a kind of palette file; \
             expected one of .gpl, .hex, .png";
     palette_missing: "[palette]\nfile = \"warm.gpl\""
-        => "t.toml:2: palette.file: \"warm.gpl\" does not exist";
+        => "t.toml:2: palette.file: \"warm.gpl\" does not exist; \
+            expected a file's name, relative to the scene file, e.g. file = \"palettes/warm.gpl\"";
     palette_file_and_colours: "[palette]\nfile = \"warm.gpl\"\ncolours = 16"
         => "t.toml:3: palette.colours: does not go with file, which has all entries; \
             expected one of the two";
@@ -230,7 +235,8 @@ messages! {
     no_mesh_key: "[[actor]]\nname = \"a\""
         => "t.toml:1: actor.mesh: is missing; expected e.g. mesh = \"meshes/teapot.obj\"";
     no_mesh_file: "[[actor]]\nmesh = \"meshes/none.obj\""
-        => "t.toml:2: actor.mesh: \"meshes/none.obj\" does not exist";
+        => "t.toml:2: actor.mesh: \"meshes/none.obj\" does not exist; \
+            expected a file's name, relative to the scene file, e.g. mesh = \"meshes/teapot.obj\"";
     no_mesh_kind: "[[actor]]\nmesh = \"meshes/cube.dae\""
         => "t.toml:2: actor.mesh: \"meshes/cube.dae\" is not a kind of mesh file; \
             expected one of .obj, .glb, .gltf, .stl, .ply";
@@ -311,6 +317,14 @@ messages! {
     key_of_nobody: "[[animation.key]]\nframe = 1\nroll = 5"
         => "t.toml:1: animation.key.actor: is missing; \
             expected the name of an [[actor]], or actor = \"camera\"";
+    key_of_a_viewport_without_a_camera: "[[viewport]]\n[[animation.key]]\nactor = \"camera\"\n\
+        viewport = 0\nframe = 1\nroll = 5"
+        => "t.toml:4: animation.key.viewport: viewport 0 has no camera of its own; \
+            expected [viewport.camera] below it";
+    key_of_a_viewport_too_many: "[[animation.key]]\nactor = \"camera\"\nviewport = 2\n\
+        frame = 1\nroll = 5"
+        => "t.toml:3: animation.key.viewport: viewport 2 is not there, the file has 0; \
+            expected e.g. viewport = 0 for the first [[viewport]]";
     key_of_an_unknown_actor: "[[animation.key]]\nactor = \"arm\"\nframe = 1\nscale = 5"
         => "t.toml:2: animation.key.actor: no [[actor]] is named \"arm\"; \
             expected the name of one";
