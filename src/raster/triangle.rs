@@ -131,11 +131,10 @@ fn fill_triangle(
     perspective: bool,
     fill: Fill<'_>,
 ) {
-    let perspective =
-        cfg!(feature = "gouraud")
-            && perspective
-            && matches!(fill, Fill::Gouraud(_))
-            && perspective::shows(triangle, seen);
+    let perspective = cfg!(feature = "gouraud")
+        && perspective
+        && matches!(fill, Fill::Gouraud(_))
+        && perspective::shows(triangle, seen);
     if !perspective && is_small(seen, target) && fill_small(target, triangle, seen, fill) {
         return;
     }

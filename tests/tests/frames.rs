@@ -2,6 +2,7 @@
 //! working memory.
 
 use std::convert::Infallible;
+use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -35,13 +36,20 @@ fn read_png(path: &Path) -> Vec<u8> {
     rgb
 }
 
+fn starts_with_w(name: &OsStr) -> bool {
+    name.as_encoded_bytes().starts_with(b"w")
+}
+
 /// `FIXEL_BLESS=1` (`cargo xtask bless`) writes the golden frames anew.
 #[test]
 fn golden_frames() {
     let bless = std::env::var_os("FIXEL_BLESS").is_some();
     let folder = root().join("tests/golden");
     let mut differ = Vec::new();
-    for path in scenes("scenes") {
+    // Of the bench, those that are drawn by triangles.
+    let by_triangles = |path: &PathBuf| path.file_name().is_some_and(starts_with_w);
+    let bench = scenes("scenes/bench").into_iter().filter(by_triangles);
+    for path in scenes("scenes").into_iter().chain(bench) {
         let (_, baked) = load(&path);
         let scene = baked.scene().expect("baked a moment ago");
         let options = Options::of(&scene);

@@ -5,7 +5,7 @@ use glam::{DQuat, DVec3};
 
 use crate::track::sample;
 
-/// The scene's camera in frame `frame`; see [`moved`].
+/// The scene's camera in frame `frame`, where its tracks have it.
 pub fn camera_at(scene: &Scene, frame: u32) -> Camera {
     moved(&scene.animation, scene.camera, Target::Camera, frame)
 }

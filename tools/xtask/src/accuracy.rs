@@ -1,7 +1,6 @@
 //! The core's pictures held against the f64 reference, on every scene.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use fixel_bake::BakeError;
 use fixel_reference::Report;
@@ -10,7 +9,7 @@ use serde_json::{Map, Value, json};
 
 use crate::problem::{Problem, Result};
 use crate::report::{Tally, table};
-use crate::{parallel, paths};
+use crate::{parallel, scene};
 
 /// Most pixels whose coverage may differ, as a share of the covered ones, and
 /// always one pixel.
@@ -62,7 +61,7 @@ struct Compared {
 /// compare --json`, and `rgb888_psnr_true_db`, the colour on a display with 8
 /// bits a channel. Each scene is held to limits.
 pub fn run(tally: &mut Tally) -> Result<Value> {
-    let files = files()?;
+    let files = scene::all()?;
     let jobs: Vec<(&Path, Renderer)> = files
         .iter()
         .flat_map(|file| Renderer::ALL.map(|renderer| (file.as_path(), renderer)))
@@ -70,7 +69,7 @@ pub fn run(tally: &mut Tally) -> Result<Value> {
     let compared = parallel::map(&jobs, |&(file, renderer)| compare(file, renderer));
     let mut all = Map::new();
     for ((file, renderer), compared) in jobs.into_iter().zip(compared) {
-        let name = file.file_stem().unwrap_or_default().to_string_lossy();
+        let name = scene::name(file);
         let what = format!("accuracy of {name} by {}", renderer.name());
         let Some(Some(compared)) = tally.need(&what, compared) else {
             continue;
@@ -87,26 +86,6 @@ pub fn run(tally: &mut Tally) -> Result<Value> {
         scene[renderer.name()] = report;
     }
     Ok(all.into())
-}
-
-/// Scene files, by name.
-fn files() -> Result<Vec<PathBuf>> {
-    let mut files = Vec::new();
-    for folder in ["scenes", "scenes/bench", "scenes/ray"] {
-        let folder = paths::root().join(folder);
-        let fail = |error| format!("{}: {error}", folder.display());
-        for entry in fs::read_dir(&folder).map_err(fail)? {
-            let path = entry.map_err(fail)?.path();
-            if path
-                .extension()
-                .is_some_and(|extension| extension == "toml")
-            {
-                files.push(path);
-            }
-        }
-    }
-    files.sort_by_key(|file| file.file_stem().map(ToOwned::to_owned));
-    Ok(files)
 }
 
 /// `None`: the renderer draws nothing of the scene.

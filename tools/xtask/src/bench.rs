@@ -22,15 +22,20 @@ struct Figures {
     covered_px: u64,
 }
 
-/// Renders every bench scene on every target; gives
+/// Renders the scenes named, or else every bench scene, on every target; gives
 /// `{"scene": {"target": {"instructions": n, ...}}}`.
-pub fn run(tally: &mut Tally) -> Result<Value> {
+pub fn run(tally: &mut Tally, names: &[String]) -> Result<Value> {
     let ready: Vec<Ready> = Target::all()
         .into_iter()
         .filter_map(|target| tally.need(&format!("bench on {}", target.name()), target.prepare()))
         .collect();
     let mut all = Map::new();
-    for name in scene::bench() {
+    let names = if names.is_empty() {
+        scene::bench().map(str::to_owned).collect()
+    } else {
+        names.to_vec()
+    };
+    for name in &names {
         let Some(baked) = tally.need(&format!("bench of {name}"), scene::bake(name)) else {
             continue;
         };
@@ -60,7 +65,7 @@ pub fn run(tally: &mut Tally) -> Result<Value> {
             };
             targets.insert(target.into(), value);
         }
-        all.insert(name.into(), targets.into());
+        all.insert(name.clone(), targets.into());
     }
     Ok(all.into())
 }

@@ -36,14 +36,44 @@ pub struct Demo {
     pub image: elf::Image,
 }
 
+/// What of the renderer a demo links.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Parts {
+    /// Flat shading in grey light from infinitely far.
+    Flat,
+    /// Gouraud shading as well.
+    Gouraud,
+    /// Everything.
+    All,
+}
+
+impl Parts {
+    /// In a table.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Flat => "flat shading alone",
+            Self::Gouraud => "flat and Gouraud",
+            Self::All => "everything",
+        }
+    }
+
+    fn features(self) -> &'static str {
+        match self {
+            Self::Flat => "demo",
+            Self::Gouraud => "demo,gouraud",
+            Self::All => "demo,whole",
+        }
+    }
+}
+
 /// Builds the demo firmware of a board with a scene linked in.
-pub fn demo(board: &Board, scene: &scene::Baked) -> Result<Demo> {
-    build_demo(board, scene, "demo")
+pub fn demo(board: &Board, scene: &scene::Baked, parts: Parts) -> Result<Demo> {
+    build_demo(board, scene, parts.features())
 }
 
 /// Builds a demo that breaks the promises which are checked on every demo.
 pub fn faulty_demo(board: &Board, scene: &scene::Baked) -> Result<Demo> {
-    build_demo(board, scene, "faulty")
+    build_demo(board, scene, "faulty,gouraud")
 }
 
 fn build_demo(board: &Board, scene: &scene::Baked, features: &str) -> Result<Demo> {
@@ -60,6 +90,7 @@ fn build_demo(board: &Board, scene: &scene::Baked, features: &str) -> Result<Dem
         .env("FIXEL_SCENE", &scene.path);
     child::visibly(&mut command)?;
     let stem = scene.path.file_stem().unwrap_or_default().to_string_lossy();
+    let features = features.replace(',', "-");
     let name = format!("{}-{stem}-{features}.elf", board.name);
     let path = paths::work("firmware")?.join(name);
     std::fs::copy(built(board, "demo"), &path)

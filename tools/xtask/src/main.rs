@@ -13,6 +13,7 @@ mod debian;
 mod elf;
 mod firmware;
 mod footprint;
+mod gallery;
 mod measure;
 mod parallel;
 mod parity;
@@ -56,13 +57,22 @@ enum Task {
     },
     /// Compare every scene in scenes/ with the f64 reference.
     Accuracy(Json),
-    /// Render the parity scenes on the host and on every emulated target, and
-    /// fail if any byte differs.
-    Parity(Json),
+    /// Render every scene in scenes/ on the host and on every emulated target,
+    /// and fail if any byte differs.
+    Parity {
+        #[command(flatten)]
+        json: Json,
+        /// Only these scenes, by name or file
+        #[arg(value_name = "SCENE")]
+        scenes: Vec<String>,
+    },
     /// Instructions a frame of the bench scenes on every target.
     Bench {
         #[command(flatten)]
         json: Json,
+        /// These scenes instead, by name or file
+        #[arg(value_name = "SCENE")]
+        scenes: Vec<String>,
         /// Print the README's table, with other renderers' figures beside ours
         #[arg(long, conflicts_with = "json")]
         markdown: bool,
@@ -95,6 +105,8 @@ enum Task {
     Flash(OnBoard),
     /// Build the browser simulator into one folder.
     Web,
+    /// Write docs/gallery.md anew: every scene with its golden frame.
+    Gallery,
     /// Write the README's tables anew from fresh figures.
     Readme,
     /// Rewrite golden frames, after a person has looked at them.
@@ -132,10 +144,16 @@ fn run(task: Task) -> Result<()> {
     match task {
         Task::Test { stage } => test::run(&stage),
         Task::Accuracy(json) => figures(&json, accuracy::run, accuracy::markdown),
-        Task::Parity(json) => figures(&json, parity::run, pretty),
-        Task::Bench { json, markdown } => {
+        Task::Parity { json, scenes } => {
+            figures(&json, |tally| parity::run(tally, &scenes), pretty)
+        }
+        Task::Bench {
+            json,
+            scenes,
+            markdown,
+        } => {
             let show = if markdown { bench::markdown } else { pretty };
-            figures(&json, bench::run, show)
+            figures(&json, |tally| bench::run(tally, &scenes), show)
         }
         Task::Footprint(json) => figures(&json, footprint::run, footprint::markdown),
         Task::Firmware(on) => {
@@ -155,6 +173,7 @@ fn run(task: Task) -> Result<()> {
         )
         .into()),
         Task::Web => Err("there is no browser simulator yet".into()),
+        Task::Gallery => gallery::run(),
         Task::Readme => readme::run(),
         Task::Bless => bless::run(),
     }
@@ -163,7 +182,7 @@ fn run(task: Task) -> Result<()> {
 /// Makes figures, counts the checks on the way, and writes both.
 fn figures(
     json: &Json,
-    make: fn(&mut Tally) -> Result<Value>,
+    make: impl FnOnce(&mut Tally) -> Result<Value>,
     show: fn(&Value) -> String,
 ) -> Result<()> {
     let mut tally = Tally::default();

@@ -10,13 +10,15 @@ use crate::{parallel, scene};
 
 /// Frames that are compared: enough of a turn to see every side.
 const FRAMES: std::ops::Range<u32> = 0..12;
+/// The same by rays, which take long.
+const RAY_FRAMES: std::ops::Range<u32> = 0..1;
 /// Band heights that are compared: the usual one, one that divides nothing,
 /// and the full frame.
 const BANDS: [u32; 3] = [16, 7, ONE_BAND];
 
-/// Renders every parity scene on every target. Each pair of scene and target
-/// is one check; gives `{"scene": {"target": "hash"}}`.
-pub fn run(tally: &mut Tally) -> Result<Value> {
+/// Renders the scenes named, or else all, on every target. Each pair of scene and
+/// target is one check; gives `{"scene": {"target": "hash"}}`.
+pub fn run(tally: &mut Tally, names: &[String]) -> Result<Value> {
     let mut targets = Target::all();
     targets.push(Target::Host(HostProfile::Checked));
     let ready: Vec<Ready> = targets
@@ -27,15 +29,20 @@ pub fn run(tally: &mut Tally) -> Result<Value> {
         })
         .collect();
     let mut all = Map::new();
-    for name in scene::parity() {
-        let Some(baked) = tally.need(&format!("parity of {name}"), scene::bake(name)) else {
+    for name in scene::named_or_all(names)? {
+        let Some(baked) = tally.need(&format!("parity of {name}"), scene::bake(&name)) else {
             continue;
+        };
+        let which = if scene::by_rays(&name) {
+            RAY_FRAMES
+        } else {
+            FRAMES
         };
         let jobs: Vec<(usize, u32)> = (0..ready.len())
             .flat_map(|target| BANDS.map(|rows| (target, rows)))
             .collect();
         let runs = parallel::map(&jobs, |&(target, rows)| {
-            let frames = ready[target].frames(&baked, FRAMES, rows, None)?;
+            let frames = ready[target].frames(&baked, which.clone(), rows, None)?;
             Ok((rows, frames))
         });
         let mut hashes = Map::new();
@@ -50,7 +57,7 @@ pub fn run(tally: &mut Tally) -> Result<Value> {
                 hashes.insert(target.into(), json!("differs"));
             }
         }
-        all.insert(name.into(), hashes.into());
+        all.insert(name, hashes.into());
     }
     Ok(all.into())
 }

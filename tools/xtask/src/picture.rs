@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::board::Board;
+use crate::firmware::Parts;
 use crate::measure::Target;
 use crate::problem::Result;
 use crate::{firmware, paths, scene};
@@ -11,7 +12,7 @@ use crate::{firmware, paths, scene};
 /// Builds the demo firmware with a scene linked in; gives the ELF file.
 pub fn build(board: &Board, scene_name: &str) -> Result<PathBuf> {
     let baked = scene::bake(scene_name)?;
-    let demo = firmware::demo(board, &baked)?;
+    let demo = firmware::demo(board, &baked, Parts::All)?;
     let image = &demo.image;
     eprintln!(
         "{}: {} bytes of code, {} of scene, {} of static RAM",

@@ -12,7 +12,7 @@ use crate::{accuracy, bench, footprint, paths, peers};
 /// that name them.
 pub fn run() -> Result<()> {
     let mut tally = Tally::default();
-    let bench = bench::run(&mut tally)?;
+    let bench = bench::run(&mut tally, &[])?;
     let footprint = footprint::run(&mut tally)?;
     let accuracy = accuracy::run(&mut tally)?;
     let path = paths::root().join("README.md");

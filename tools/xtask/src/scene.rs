@@ -3,8 +3,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use fixel_bake::BakeError;
+
 use crate::paths;
-use crate::problem::Result;
+use crate::problem::{Problem, Result};
 
 /// The bench scenes, in the order of the README's table. They are in
 /// `scenes/bench/`.
@@ -20,63 +22,54 @@ pub const BENCH: [&str; 6] = [
 /// The bench scenes of the ray caster; in `scenes/bench/` too.
 pub const RAY_BENCH: [&str; 3] = ["r1_bunny_rays", "r2_bunny_shadow", "r3_spheres_whitted"];
 
-/// What every target must draw alike by rays: files in `scenes/ray/`.
-pub const RAY_PARITY: [&str; 0] = [];
+/// A small scene, for checks that need any.
+pub const SMALL: &str = "w2_teapot_gouraud";
 
-/// What every target must draw alike, besides the bench scenes: files in
-/// `scenes/`. Clipping, slivers, a parallel camera and more actors than the
-/// firmware keeps matrices for are among them; chains of parents, key frames and
-/// camera moves.
-pub const PARITY: [&str; 26] = [
-    "teapot",
-    "bunny",
-    "suzanne",
-    "near_clip",
-    "behind_camera",
-    "slivers",
-    "parallel",
-    "many_actors",
-    "tiny_128x64",
-    "parents",
-    "keyframes",
-    "palette_cycle",
-    "viewports",
-    "fog_exponential",
-    "spot",
-    "lights",
-    "textured_floor",
-    "antialiased",
-    "stereo_anaglyph",
-    "wireframe",
-    "hidden_line",
-    "lines_markers_text",
-    "alpha_test",
-    "screen_door",
-    "blend",
-    "blend_fog",
-];
-
-/// The scene whose RAM is held to a limit, and one of another mesh that must
-/// need just as much.
-pub const FOOTPRINT: [&str; 2] = ["w2_teapot_gouraud", "w3_bunny_gouraud"];
-
-/// Every scene that parity is proved on.
-pub fn parity() -> impl Iterator<Item = &'static str> {
-    let by_rays = RAY_PARITY.into_iter().chain(RAY_BENCH);
-    PARITY.into_iter().chain(BENCH).chain(by_rays)
-}
+/// Folders of scenes.
+const FOLDERS: [&str; 3] = ["scenes", "scenes/bench", "scenes/ray"];
 
 /// Every scene that is measured.
 pub fn bench() -> impl Iterator<Item = &'static str> {
     BENCH.into_iter().chain(RAY_BENCH)
 }
 
-/// Whether a scene is drawn by rays: it is in the lists above, or its folder is called
-/// so.
+/// Whether a scene is drawn by rays: it is one of [`RAY_BENCH`], or its folder is
+/// called so.
 pub fn by_rays(name: &str) -> bool {
     let file = file(name);
     let is = |name: &&str| file.file_stem().is_some_and(|stem| stem == *name);
     RAY_BENCH.iter().any(is) || file.parent().is_some_and(|folder| folder.ends_with("ray"))
+}
+
+/// Every scene file, by name.
+pub fn all() -> Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    for folder in FOLDERS {
+        let folder = paths::root().join(folder);
+        let fail = |error| format!("{}: {error}", folder.display());
+        for entry in fs::read_dir(&folder).map_err(fail)? {
+            let path = entry.map_err(fail)?.path();
+            if path.extension().is_some_and(|kind| kind == "toml") {
+                files.push(path);
+            }
+        }
+    }
+    files.sort_by_key(|file| file.file_stem().map(ToOwned::to_owned));
+    Ok(files)
+}
+
+/// A scene file's name.
+pub fn name(file: &Path) -> String {
+    let stem = file.file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
+}
+
+/// The names asked for, or else those of all scenes.
+pub fn named_or_all(names: &[String]) -> Result<Vec<String>> {
+    if names.is_empty() {
+        return Ok(all()?.iter().map(|file| name(file)).collect());
+    }
+    Ok(names.to_vec())
 }
 
 /// The scene's file: a name from the lists above, or a path.
@@ -84,14 +77,13 @@ pub fn file(name: &str) -> PathBuf {
     if Path::new(name).extension().is_some() {
         return name.into();
     }
-    let folder = if BENCH.contains(&name) || RAY_BENCH.contains(&name) {
-        "scenes/bench"
-    } else if RAY_PARITY.contains(&name) {
-        "scenes/ray"
-    } else {
-        "scenes"
-    };
-    paths::root().join(folder).join(format!("{name}.toml"))
+    let place = |folder| paths::root().join(folder).join(format!("{name}.toml"));
+    let mut places = FOLDERS.map(place).into_iter();
+    let first = places.next().unwrap_or_default();
+    if first.exists() {
+        return first;
+    }
+    places.find(|file| file.exists()).unwrap_or(first)
 }
 
 /// A baked scene.
@@ -106,8 +98,7 @@ pub struct Baked {
 /// Bakes a scene into the work folder.
 pub fn bake(name: &str) -> Result<Baked> {
     let source = file(name);
-    let stem = source.file_stem().unwrap_or_default().to_string_lossy();
-    let path = paths::work("scenes")?.join(format!("{stem}.fxl"));
+    let path = paths::work("scenes")?.join(format!("{}.fxl", self::name(&source)));
     let blob = blob(&source, by_rays(name))?;
     let same = fs::read(&path).is_ok_and(|old| old == blob);
     if !same {
@@ -123,12 +114,15 @@ pub fn bake(name: &str) -> Result<Baked> {
 fn blob(source: &Path, for_rays: bool) -> Result<Vec<u8>> {
     let fail = |error: &dyn std::fmt::Display| format!("{}: {error}", source.display());
     let scene = fixel_scene::load(source).map_err(|error| error.to_string())?;
-    let bake = if for_rays {
-        fixel_bake::bake_for_rays
+    let baked = if for_rays {
+        fixel_bake::bake_for_rays(&scene)
     } else {
-        fixel_bake::bake
+        fixel_bake::bake(&scene)
     };
-    let baked = bake(&scene).map_err(|error| fail(&error))?;
+    let baked = baked.map_err(|error| match error {
+        BakeError::NotYet { .. } => Problem::Missing(fail(&error)),
+        _ => Problem::Failed(fail(&error)),
+    })?;
     Ok(baked.bytes().to_vec())
 }
 

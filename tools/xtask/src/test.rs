@@ -7,7 +7,7 @@ use crate::board::BOARDS;
 use crate::measure::Target;
 use crate::problem::Result;
 use crate::report::Tally;
-use crate::{accuracy, child, firmware, footprint, parity, paths, scene, toolchain};
+use crate::{accuracy, child, firmware, footprint, gallery, parity, paths, scene, toolchain};
 
 /// A stage: its name, and what it does.
 type Stage = (&'static str, fn(&mut Tally));
@@ -21,7 +21,7 @@ const STAGES: [Stage; 9] = [
     ("firmware-lints", firmware_lints),
     ("counter", counter),
     ("parity", |tally| {
-        let result = parity::run(tally);
+        let result = parity::run(tally, &[]);
         tally.need("parity", result);
     }),
     ("footprint", footprint_stage),
@@ -230,10 +230,11 @@ fn docs(tally: &mut Tally) {
     let mut command = cargo_in("runner", &["doc", "--quiet", "--no-deps"]);
     command.env("RUSTDOCFLAGS", "-D warnings");
     tally.check("docs of targets/runner", child::visibly(&mut command));
+    tally.check("the gallery is current", gallery::is_current());
 }
 
 fn firmware_lints(tally: &mut Tally) {
-    let scene = scene::bake(scene::FOOTPRINT[0]);
+    let scene = scene::bake(scene::SMALL);
     let Some(scene) = tally.need("firmware lints", scene) else {
         return;
     };
