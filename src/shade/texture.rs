@@ -41,7 +41,7 @@ pub(super) struct Copied<'a> {
 }
 
 /// Numbers that go along a parabola from pixel to pixel: two are places in the picture,
-/// in texels with [`PLACE_BITS`] fractional bits, modulo 2^32.
+/// in texels with 16 fractional bits, modulo 2^32.
 #[derive(Clone, Copy, Debug)]
 pub struct Places<const N: usize = 2> {
     /// The first pixel's.
@@ -84,7 +84,7 @@ impl<const N: usize> Places<N> {
         self
     }
 
-    /// That of the `number`th pixel along lines of [`Places::in_fours`].
+    /// That of the `number`th pixel along lines of `in_fours`.
     #[inline(always)]
     pub fn at_in_fours(&self, number: i32) -> [i32; N] {
         let before = number >> 2;
