@@ -33,6 +33,7 @@ pub use scaled::Scaled;
 pub(crate) use transform::view_rotation;
 pub use transform::{Clip, Model, Space, Transform, View, World as WorldSpace};
 pub use vector::{Unit3, Vec3, cross, dot, normalise};
+#[cfg(feature = "ray")]
 pub(crate) use wide::mul_high_u;
 pub use wide::{mul_high, mul_q30, square};
 

@@ -75,6 +75,7 @@ pub fn render_frame<D: Display>(
 ///
 /// # Errors
 /// Those of the display; drawing itself cannot fail.
+#[inline(never)]
 pub fn render_frame_watched<D: Display, W: Watch>(
     scene: &Scene<'_>,
     pose: &Pose<'_>,

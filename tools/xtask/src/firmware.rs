@@ -43,6 +43,8 @@ pub enum Parts {
     Flat,
     /// Gouraud shading as well.
     Gouraud,
+    /// Everything but rays.
+    Triangles,
     /// Everything.
     All,
 }
@@ -53,6 +55,7 @@ impl Parts {
         match self {
             Self::Flat => "flat shading alone",
             Self::Gouraud => "flat and Gouraud",
+            Self::Triangles => "everything but rays",
             Self::All => "everything",
         }
     }
@@ -61,6 +64,7 @@ impl Parts {
         match self {
             Self::Flat => "demo",
             Self::Gouraud => "demo,gouraud",
+            Self::Triangles => "demo,triangles",
             Self::All => "demo,whole",
         }
     }
