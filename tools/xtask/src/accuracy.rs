@@ -145,8 +145,12 @@ fn report(scene: &Scene, renderer: Renderer) -> Result<Report> {
 }
 
 /// Scenes that the ray caster cannot draw within the limits, and why.
-const RAY_KNOWN: [(&str, &str); 2] = [
+const RAY_KNOWN: [(&str, &str); 3] = [
     ("alpha_test", "the ray caster does not cut out by alpha yet"),
+    (
+        "textured_bilinear",
+        "the ray caster does not cut out by alpha yet",
+    ),
     (
         "slivers",
         "triangles thinner than a pixel: their edges pass pixels' centres within a step of \
