@@ -199,8 +199,9 @@ pub(super) struct SmallPlane {
 }
 
 impl SmallPlane {
-    /// For vertices whose doubled area has the size of `area`, below 2^32 as that of
-    /// the box around them, and the sign that `positive` says.
+    /// For vertices with the doubled `area`, below 2^32 in size as that of the box around
+    /// them is; its sign is for their order before sorting, and `positive` says what it
+    /// is now.
     #[inline(always)]
     pub(super) fn new([a, b, c]: [&ScreenVertex; 3], area: i64, positive: bool) -> Self {
         let low = area as u32;

@@ -1,5 +1,5 @@
 //! Triangles of a few pixels, which most of a fine mesh are: no edge is divided, and
-//! all products have 32 bits. Same pixels as [`scan`](super::scan), to the last bit.
+//! all products have 32 bits. Same coverage as [`scan`](super::scan), to the last bit.
 //!
 //! First the rows' spans, by following each edge down, a pixel aside at a time, by the
 //! sign of its edge function (Pineda, "A parallel algorithm for polygon rasterization",
@@ -11,7 +11,7 @@ use core::ops::Range;
 use super::attribute::Attribute;
 use super::gradient::SmallPlane;
 use super::span::{self, Fill};
-use super::triangle::{Seen, first_centre};
+use super::triangle::{Seen, first_centre, sort};
 use crate::frame::Target;
 use crate::math::{Depth, HALF_PX, SUBPX_BITS, SubPx};
 use crate::vertex::ScreenVertex;
@@ -43,7 +43,8 @@ pub(super) fn fill_small(
     let [[left, _], _] = seen.bounds;
     let column = left >> SUBPX_BITS;
     let (first, end) = seen.rows;
-    let ([top, middle, bottom], flipped) = sort(triangle);
+    let (sorted, flipped) = sort(triangle.map(|v| (v, ())));
+    let [top, middle, bottom] = sorted.map(|(v, ())| v);
     // Whether the middle vertex is to the right of the long edge.
     let long_is_left = (seen.area > 0) != flipped;
     let bend = first_centre(middle.y().to_bits()).max(first).min(end);
@@ -91,7 +92,7 @@ pub(super) fn fill_small(
         Fill::Depth => {}
         Fill::Flat(index) => {
             rows.draw(target, z, Attribute::default(), |span, z, dz, _, _| {
-                span::short_flat(span.indices, span.depths, z, dz, index);
+                span::flat::<true>(span.indices, span.depths, z, dz, index);
             });
         }
         Fill::Gouraud(shades) => {
@@ -101,30 +102,11 @@ pub(super) fn fill_small(
             };
             let level = Attribute::beside((la as u32) << 10, gradient, place);
             rows.draw(target, z, level, |span, z, dz, level, dl| {
-                span::short_gouraud(span.indices, span.depths, (z, dz), (level, dl), shades);
+                span::gouraud::<true>(span.indices, span.depths, (z, dz), (level, dl), shades);
             });
         }
     }
     true
-}
-
-/// From the highest to the lowest, and whether that turns the winding round.
-#[inline(always)]
-fn sort([mut a, mut b, mut c]: [&ScreenVertex; 3]) -> ([&ScreenVertex; 3], bool) {
-    let mut flipped = false;
-    if a.y() > b.y() {
-        (a, b) = (b, a);
-        flipped = !flipped;
-    }
-    if b.y() > c.y() {
-        (b, c) = (c, b);
-        flipped = !flipped;
-    }
-    if a.y() > b.y() {
-        (a, b) = (b, a);
-        flipped = !flipped;
-    }
-    ([a, b, c], flipped)
 }
 
 /// Writes, for some rows, the first pixel whose centre is not left of an edge.

@@ -29,10 +29,16 @@ impl Fill<'_> {
     }
 }
 
-/// One palette index. About 9 instructions a hidden pixel, 11 a drawn one on
-/// Cortex-M4.
+/// One palette index; `SHORT` if there are likely few pixels. About 9 instructions a
+/// hidden pixel, 11 a drawn one on Cortex-M4.
 #[inline(always)]
-pub(super) fn flat(indices: &mut [u8], depths: &mut [Depth], mut z: u32, dz: i32, index: u8) {
+pub(super) fn flat<const SHORT: bool>(
+    indices: &mut [u8],
+    depths: &mut [Depth],
+    mut z: u32,
+    dz: i32,
+    index: u8,
+) {
     for (pixel, depth) in indices.iter_mut().zip(depths) {
         let here = (z >> 16) as Depth;
         if here > *depth {
@@ -40,20 +46,9 @@ pub(super) fn flat(indices: &mut [u8], depths: &mut [Depth], mut z: u32, dz: i32
             *pixel = index;
         }
         z = z.wrapping_add_signed(dz);
-    }
-}
-
-/// [`flat`] for a few pixels.
-#[inline(always)]
-pub(super) fn short_flat(indices: &mut [u8], depths: &mut [Depth], mut z: u32, dz: i32, index: u8) {
-    for (pixel, depth) in indices.iter_mut().zip(depths) {
-        let here = (z >> 16) as Depth;
-        if here > *depth {
-            *depth = here;
-            *pixel = index;
+        if SHORT {
+            keep_rolled();
         }
-        z = z.wrapping_add_signed(dz);
-        keep_rolled();
     }
 }
 
@@ -73,9 +68,10 @@ pub(super) fn depth(depths: &mut [Depth], mut z: u32, dz: i32) {
     }
 }
 
-/// A light level in 16.16 through a shade table's row.
+/// A light level in 16.16 through a shade table's row; `SHORT` if there are likely few
+/// pixels.
 #[inline(always)]
-pub(super) fn gouraud(
+pub(super) fn gouraud<const SHORT: bool>(
     indices: &mut [u8],
     depths: &mut [Depth],
     (mut z, dz): (u32, i32),
@@ -93,29 +89,8 @@ pub(super) fn gouraud(
         }
         z = z.wrapping_add_signed(dz);
         level = level.wrapping_add_signed(dl);
-    }
-}
-
-/// [`gouraud`] for a few pixels.
-#[inline(always)]
-pub(super) fn short_gouraud(
-    indices: &mut [u8],
-    depths: &mut [Depth],
-    (mut z, dz): (u32, i32),
-    (mut level, dl): (u32, i32),
-    shades: &[u8; 256],
-) {
-    for (pixel, depth) in indices.iter_mut().zip(depths) {
-        let here = (z >> 16) as Depth;
-        if here > *depth {
-            *depth = here;
-            #[expect(clippy::indexing_slicing, reason = "eight bits index 256 entries")]
-            {
-                *pixel = shades[((level >> 16) & 0xff) as usize];
-            }
+        if SHORT {
+            keep_rolled();
         }
-        z = z.wrapping_add_signed(dz);
-        level = level.wrapping_add_signed(dl);
-        keep_rolled();
     }
 }

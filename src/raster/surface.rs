@@ -35,11 +35,11 @@ pub fn draw_surface<const A: usize>(
     };
     let [a, b, c] = triangle;
     let [ka, kb, kc] = corners();
-    let (sorted, area) = sort([(a, ka), (b, kb), (c, kc)], seen.area);
+    let (sorted, flipped) = sort([(a, ka), (b, kb), (c, kc)]);
     let corners = Corners::new(sorted.each_ref().map(|(_, corner)| corner), kind);
     let shape = Shape {
         sorted: sorted.map(|(v, _)| v),
-        area,
+        area: if flipped { -seen.area } else { seen.area },
         rows: seen.rows,
         perspective: corners.perspective,
     };

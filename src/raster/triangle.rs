@@ -150,10 +150,10 @@ fn fill_large(
     perspective: bool,
     fill: Fill<'_>,
 ) {
-    let (sorted, area) = sort(triangle.map(|v| (v, ())), seen.area);
+    let (sorted, flipped) = sort(triangle.map(|v| (v, ())));
     let shape = Shape {
         sorted: sorted.map(|(v, ())| v),
-        area,
+        area: if flipped { -seen.area } else { seen.area },
         rows: seen.rows,
         perspective,
     };
@@ -169,7 +169,7 @@ fn fill_large(
             |plane, row| Attributes::depth(plane, &shape, row),
             |span, at| {
                 let z = at.z.at(columns(&span));
-                span::flat(span.indices, span.depths, z, at.z.gradient.x, index);
+                span::flat::<false>(span.indices, span.depths, z, at.z.gradient.x, index);
             },
             sliver,
         ),
@@ -191,7 +191,7 @@ fn fill_large(
                 let columns = columns(&span);
                 let z = (at.z.at(columns), at.z.gradient.x);
                 let level = (at.level.at(columns), at.level.gradient.x);
-                span::gouraud(span.indices, span.depths, z, level, shades);
+                span::gouraud::<false>(span.indices, span.depths, z, level, shades);
             },
             sliver,
         ),
@@ -216,10 +216,10 @@ pub fn draw_depth(target: &mut Target<'_>, triangle: [&ScreenVertex; 3], sides: 
         Ok(seen) => seen,
         Err(drawn) => return drawn,
     };
-    let (sorted, area) = sort(triangle.map(|v| (v, ())), seen.area);
+    let (sorted, flipped) = sort(triangle.map(|v| (v, ())));
     let shape = Shape {
         sorted: sorted.map(|(v, ())| v),
-        area,
+        area: if flipped { -seen.area } else { seen.area },
         rows: seen.rows,
         perspective: false,
     };
@@ -237,20 +237,21 @@ pub fn draw_depth(target: &mut Target<'_>, triangle: [&ScreenVertex; 3], sides: 
 /// A vertex and what goes with it.
 type With<'a, T> = (&'a ScreenVertex, T);
 
-/// From the highest to the lowest. The area's sign follows the winding.
+/// From the highest to the lowest, and whether that turns the winding round.
 #[inline(always)]
-pub(super) fn sort<T>(
-    [mut a, mut b, mut c]: [With<'_, T>; 3],
-    mut area: i64,
-) -> ([With<'_, T>; 3], i64) {
+pub(super) fn sort<T>([mut a, mut b, mut c]: [With<'_, T>; 3]) -> ([With<'_, T>; 3], bool) {
+    let mut flipped = false;
     if a.0.y() > b.0.y() {
-        (a, b, area) = (b, a, -area);
+        (a, b) = (b, a);
+        flipped = !flipped;
     }
     if b.0.y() > c.0.y() {
-        (b, c, area) = (c, b, -area);
+        (b, c) = (c, b);
+        flipped = !flipped;
     }
     if a.0.y() > b.0.y() {
-        (a, b, area) = (b, a, -area);
+        (a, b) = (b, a);
+        flipped = !flipped;
     }
-    ([a, b, c], area)
+    ([a, b, c], flipped)
 }

@@ -9,7 +9,7 @@ use fixel::render::{
     FrameStats, Paint, PaintActor, PaintLight, PaintTexel, PaintTriangle, Picked, Scratch, Shaded,
     render_frame_with,
 };
-use fixel::scene::Dither;
+use fixel::scene::{Dither, Pose};
 use fixel::{Band, Scene};
 
 /// What to render.
@@ -56,7 +56,7 @@ pub struct Planes {
 /// Meshlets, kept meshlets and actors: the host has the memory.
 type HostScratch = Scratch<4096, 256, 64>;
 
-pub(crate) struct Collector(pub(crate) Planes);
+pub(crate) struct Collector(Planes);
 
 impl Display for Collector {
     type Error = Infallible;
@@ -152,11 +152,24 @@ pub fn pick(scene: &Scene<'_>, options: &Options, x: u16, y: u16) -> Option<Pick
 }
 
 fn paint<P: Paint>(paint: &P, scene: &Scene<'_>, options: &Options) -> Planes {
+    let mut scratch = Box::new(HostScratch::new());
+    collected(scene, options, |pose, band, collector| {
+        let work = &mut scratch.workspace();
+        let Ok(stats) = render_frame_with(paint, scene, pose, work, band, collector);
+        stats
+    })
+}
+
+/// The planes of a frame that `draw` draws in bands.
+pub(crate) fn collected<'s>(
+    scene: &Scene<'s>,
+    options: &Options,
+    draw: impl FnOnce(&Pose<'s>, &mut Band<'_>, &mut Collector) -> FrameStats,
+) -> Planes {
     let (width, height) = scene.output().frame_size((options.width, options.height));
     let rows = options.band_rows.unwrap_or(height).clamp(1, height.max(1));
     let pixels = usize::from(width.max(1)) * usize::from(rows);
     let (mut indices, mut depths) = (vec![0; pixels], vec![0; pixels]);
-    let mut scratch = Box::new(HostScratch::new());
     let mut pose = scene.pose(options.frame);
     pose.height = height;
     let mut collector = Collector(Planes {
@@ -168,9 +181,7 @@ fn paint<P: Paint>(paint: &P, scene: &Scene<'_>, options: &Options) -> Planes {
     });
     // The buffers hold `rows` rows of 1..=2048 pixels: a band there is.
     if let Ok(mut band) = Band::new(width, &mut indices, &mut depths) {
-        let work = &mut scratch.workspace();
-        let Ok(stats) = render_frame_with(paint, scene, &pose, work, &mut band, &mut collector);
-        collector.0.stats = stats;
+        collector.0.stats = draw(&pose, &mut band, &mut collector);
     }
     collector.0
 }

@@ -1,16 +1,16 @@
 //! A frame from the ray caster, in the same shape as the rasteriser's.
 
+use fixel::Scene;
 use fixel::light::Lit;
 use fixel::ray::{RayScratch, Seen, Watch, render_frame_watched};
 use fixel::render::FrameStats;
-use fixel::{Band, Scene};
 use fixel_bake::Baked;
 use fixel_reference::{Frame, Lookup, NO_TRIANGLE};
 
 use crate::Planes;
 use crate::colour::pixels;
 use crate::compare::lookup;
-use crate::planes::{Collector, Options};
+use crate::planes::{Options, collected};
 
 /// Actors: the host has the memory.
 type HostScratch = RayScratch<1024>;
@@ -100,25 +100,13 @@ impl Watch for All {
 }
 
 fn render<W: Watch>(scene: &Scene<'_>, options: &Options, watch: &mut W) -> Planes {
-    let (width, height) = scene.output().frame_size((options.width, options.height));
-    let rows = options.band_rows.unwrap_or(height).clamp(1, height.max(1));
-    let pixels = usize::from(width.max(1)) * usize::from(rows);
-    let (mut indices, mut depths) = (vec![0; pixels], vec![0; pixels]);
     let mut scratch = Box::new(HostScratch::new());
-    let mut pose = scene.pose(options.frame);
-    pose.height = height;
-    let mut collector = Collector(Planes {
-        index: Vec::new(),
-        depth: Vec::new(),
-        size: (width, height),
-        frame: options.frame,
-        stats: FrameStats::default(),
-    });
-    // The buffers hold `rows` rows of 1..=2048 pixels: a band there is.
-    if let Ok(mut band) = Band::new(width, &mut indices, &mut depths) {
+    collected(scene, options, |pose, band, collector| {
         let work = &mut scratch.workspace();
-        let Ok(stats) = render_frame_watched(scene, &pose, work, &mut band, &mut collector, watch);
-        collector.0.stats.bands = stats.bands;
-    }
-    collector.0
+        let Ok(stats) = render_frame_watched(scene, pose, work, band, collector, watch);
+        FrameStats {
+            bands: stats.bands,
+            ..FrameStats::default()
+        }
+    })
 }
