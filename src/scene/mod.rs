@@ -14,6 +14,7 @@ mod moves;
 mod output;
 mod parse;
 mod parse_light;
+mod parse_mesh;
 mod parse_ray;
 mod pose;
 mod ray;

@@ -11,6 +11,7 @@
 //! the accuracy tests.
 
 mod bases;
+mod bitmap;
 mod bvh;
 mod camera;
 mod compare;

@@ -1,0 +1,119 @@
+//! Checks of meshes and their meshlets.
+
+use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
+use super::parse::{count, range};
+use super::{Field, Mesh, Meshlet, Record, Scene, SceneError, Section};
+
+impl Scene<'_> {
+    pub(super) fn check_meshes(&self) -> Result<(), SceneError> {
+        let meshlets = self.meshlets.len();
+        count(Section::Meshlets, meshlets, 0, layout::MESHLETS)?;
+        for (i, words) in self.meshes.iter().enumerate() {
+            let mesh = Mesh::from_words(words);
+            let (first, count) = (i64::from(mesh.first_meshlet), i64::from(mesh.meshlets));
+            let last = self.meshlets.len() as i64 - count;
+            range(Section::Meshes, i, Field::FirstMeshlet, first, 0, last)?;
+            let radius = mesh.radius.into();
+            let (least, most) = (
+                layout::LEAST_RADIUS.into(),
+                i64::from(layout::GRID_HALF) * 2,
+            );
+            range(Section::Meshes, i, Field::Radius, radius, least, most)?;
+            let span = first as usize..(first + count) as usize;
+            for (j, words) in self
+                .meshlets
+                .iter()
+                .enumerate()
+                .take(span.end)
+                .skip(span.start)
+            {
+                self.check_meshlet(j, &Meshlet::from_words(words), &mesh)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn check_meshlet(&self, i: usize, meshlet: &Meshlet, mesh: &Mesh) -> Result<(), SceneError> {
+        let s = Section::Meshlets;
+        let (vertices, triangles) = (i64::from(meshlet.vertices), i64::from(meshlet.triangles));
+        range(s, i, Field::Count, vertices, 1, MESHLET_VERTICES as i64)?;
+        // A meshlet of lines or points has none.
+        range(s, i, Field::Count, triangles, 0, MESHLET_TRIANGLES as i64)?;
+        self.check_edges(i, meshlet)?;
+        let half = i64::from(layout::GRID_HALF);
+        for c in meshlet.base {
+            range(s, i, Field::Base, c.into(), -half, half)?;
+        }
+        for shift in meshlet.shifts {
+            range(
+                s,
+                i,
+                Field::Shift,
+                shift.into(),
+                0,
+                layout::MOST_SHIFT.into(),
+            )?;
+        }
+        let last = self.vertices.len() as i64 - vertices;
+        range(
+            s,
+            i,
+            Field::FirstVertex,
+            meshlet.first_vertex.into(),
+            0,
+            last,
+        )?;
+        let first = i64::from(meshlet.first_triangle);
+        range(
+            s,
+            i,
+            Field::FirstTriangle,
+            first,
+            0,
+            self.triangles.len() as i64 - triangles,
+        )?;
+        if let Some(offset) = mesh.fine {
+            let first = meshlet.first_vertex.wrapping_add(offset);
+            range(
+                s,
+                i,
+                Field::Fine,
+                first.into(),
+                0,
+                self.fine.len() as i64 - vertices,
+            )?;
+        }
+        if let Some(coordinates) = mesh.coordinates {
+            let first = meshlet.first_vertex.wrapping_add(coordinates.offset).into();
+            let last = self.coordinates.len() as i64 - vertices;
+            range(s, i, Field::Coordinates, first, 0, last)?;
+        }
+        if let Some(offset) = mesh.colours {
+            let first = meshlet.first_vertex.wrapping_add(offset).into();
+            let last = self.vertex_colours.len() as i64 - vertices;
+            range(s, i, Field::VertexColours, first, 0, last)?;
+        }
+        if mesh.face_normals {
+            let last = self.face_normals.len() as i64 - triangles;
+            range(s, i, Field::FaceNormals, first, 0, last)?;
+        }
+        let first = first as usize;
+        let own = self
+            .triangles
+            .iter()
+            .enumerate()
+            .skip(first)
+            .take(triangles as usize);
+        for (j, index) in own.flat_map(|(j, t)| t.iter().map(move |v| (j, v))) {
+            range(
+                Section::Triangles,
+                j,
+                Field::VertexIndex,
+                i64::from(*index),
+                0,
+                vertices - 1,
+            )?;
+        }
+        Ok(())
+    }
+}
