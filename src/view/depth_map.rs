@@ -23,7 +23,7 @@ pub enum DepthMap {
         reference: i32,
         /// Fall a unit of clip distance.
         mantissa: i32,
-        /// Right shift of the product.
+        /// Right shift of the product; negative: left shift of the distance.
         shift: i32,
     },
 }
@@ -66,7 +66,7 @@ impl DepthMap {
             .checked_div(range as i64)
             .unwrap_or(0);
         let (base, reference) = match i32::try_from(at_eye) {
-            Ok(at_eye) if at_eye.abs() < 1 << 30 => (at_eye, 0),
+            Ok(at_eye) if at_eye.abs() < 1 << 28 => (at_eye, 0),
             _ => (ONE as i32, near),
         };
         Self::Parallel {
@@ -91,8 +91,11 @@ impl DepthMap {
                 mantissa,
                 shift,
             } => {
-                let behind = d.saturating_sub(reference);
-                base.saturating_sub(round_shift(mul_high(mantissa, behind), shift))
+                // To the left before the product cuts bits off. What that saturates is
+                // beyond both planes: 2^29 or more, twice what a base can be.
+                let up = 1 << shift.wrapping_neg().clamp(0, 30);
+                let behind = d.saturating_sub(reference).saturating_mul(up);
+                base.saturating_sub(round_shift(mul_high(mantissa, behind), shift.max(0)))
             }
         };
         FineDepth::from_bits(depth.clamp(LEAST, ONE as i32) as u32)
