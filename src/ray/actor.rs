@@ -24,6 +24,7 @@ pub(super) struct RayActor {
     pub step: Scaled,
     /// Grid steps a raw world bit.
     pub per_bit: Scaled,
+    /// The half sides of a rectangle are raw world bits here.
     pub shape: Shape,
     /// What of it a ray from the camera sees.
     pub faces: Faces,
@@ -61,7 +62,7 @@ impl RayActor {
     pub(super) fn new(scene: &Scene<'_>, number: u16, actor: &Actor, place: &Place) -> Self {
         let model = ModelFrame::new(actor, place);
         let (step, per_bit) = model.scales();
-        let shape = scene.shape(actor.mesh);
+        let mut shape = scene.shape(actor.mesh);
         let mut centre = model.centre().to_bits();
         let to_grid = model.to_model().rows;
         let steps = match shape {
@@ -75,6 +76,21 @@ impl RayActor {
                 Scaled::new(radius, -8)
             }
             Shape::Ellipsoid { .. } => Scaled::new(scene.mesh(actor.mesh).radius, 0),
+            Shape::Rectangle {
+                centre: middle,
+                ref mut half,
+                ..
+            } => {
+                centre = plus(centre, turned(&to_grid, &step, middle));
+                let mut all = Scaled::ZERO;
+                for side in half {
+                    let own = Scaled::new(*side, -8);
+                    all = all.plus(own);
+                    *side = own.times(step).fixed(0).min(1 << 30);
+                }
+                // The sum of both is no less than half the diagonal.
+                all
+            }
         };
         let radius = steps.times(step);
         let optics = scene.optics(actor.material);
@@ -156,8 +172,10 @@ impl RayActor {
 
     /// The corners of a box around all triangles, raw world bits.
     pub(super) fn corners(&self, scene: &Scene<'_>) -> Option<[[i32; 3]; 8]> {
-        let Shape::Triangles { first_node, .. } = self.shape else {
-            return None;
+        let first_node = match self.shape {
+            Shape::Triangles { first_node, .. } => first_node,
+            Shape::Rectangle { half, .. } => return Some(self.rectangle_corners(half)),
+            _ => return None,
         };
         let node = Node::from_words(scene.nodes_from(first_node).first()?);
         let high = node
@@ -212,7 +230,7 @@ fn turned(to_grid: &[Unit3; 3], step: &Scaled, [x, y, z]: [i32; 3]) -> [i32; 3] 
     })
 }
 
-fn plus([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> [i32; 3] {
+pub(super) fn plus([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> [i32; 3] {
     [
         ax.saturating_add(bx),
         ay.saturating_add(by),

@@ -239,7 +239,7 @@ impl RayActor {
             (end, bits.min(FAR))
         };
         let [near, far] = chord.ends();
-        if ray.from_ball == self.number.wrapping_add(1) {
+        if ray.on == self.number.wrapping_add(1) {
             return [None, far.filter(|_| chord.middle > 0).map(distance)];
         }
         [near, far].map(|end| end.map(distance))

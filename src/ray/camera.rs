@@ -196,7 +196,7 @@ impl RayCamera {
                     direction: self.sight,
                     near: 0,
                     far: far.clamp(0, FAR.into()) as u32,
-                    from_ball: 0,
+                    on: 0,
                 },
                 cosine: u32::MAX,
             };
@@ -215,7 +215,7 @@ impl RayCamera {
                 direction,
                 near: along(self.near, cosine),
                 far: along(self.far, cosine),
-                from_ball: 0,
+                on: 0,
             },
             cosine,
         }

@@ -70,8 +70,8 @@ pub(super) struct Lit<'a> {
     pub eye: ShortUnit,
     /// How far off the surface shadow rays start, raw world bits.
     pub lift: i32,
-    /// See [`Ray::from_ball`].
-    pub from_ball: u16,
+    /// See [`Ray::on`].
+    pub on: u16,
 }
 
 /// What a surface gives back of the scene's lights, and which of them reach it.
@@ -136,7 +136,7 @@ pub(super) fn shine(
                     direction,
                     near: 0,
                     far,
-                    from_ball: lit.from_ball,
+                    on: lit.on,
                 };
                 let through = passes(scene, actors, &ray);
                 factor = Scaled::new(factor, -16)

@@ -15,6 +15,7 @@ mod light;
 mod nearest;
 #[expect(clippy::module_inception, reason = "that is what it has")]
 mod ray;
+mod rectangle;
 mod scratch;
 mod sequence;
 mod surface;

@@ -5,8 +5,9 @@ use super::ball::BallHit;
 use super::grid_ray::GridRay;
 use super::hierarchy::Hierarchy;
 use super::ray::Ray;
+use super::rectangle::RectangleHit;
 use super::surface::{Need, Surface};
-use super::triangle::TriangleHit;
+use super::triangle::{Faces, TriangleHit};
 use crate::math::Scaled;
 use crate::scene::{Scene, Shape};
 
@@ -22,6 +23,7 @@ pub(super) struct Met {
 enum What {
     Triangle(GridRay, TriangleHit),
     Ball(BallHit),
+    Rectangle(RectangleHit),
 }
 
 impl RayActor {
@@ -35,12 +37,22 @@ impl RayActor {
         from: Option<GridPlace>,
         far: u32,
     ) -> Option<Met> {
-        let Shape::Triangles { first_node, .. } = self.shape else {
-            let ball = self.meet_ball(ray, self.faces)?;
-            return (ball.distance < far).then_some(Met {
-                distance: ball.distance,
-                what: What::Ball(ball),
-            });
+        let first_node = match self.shape {
+            Shape::Triangles { first_node, .. } => first_node,
+            Shape::Rectangle { half, .. } => {
+                let hit = self.meet_rectangle(ray, self.faces, half)?;
+                return (hit.distance < far).then_some(Met {
+                    distance: hit.distance,
+                    what: What::Rectangle(hit),
+                });
+            }
+            _ => {
+                let ball = self.meet_ball(ray, self.faces)?;
+                return (ball.distance < far).then_some(Met {
+                    distance: ball.distance,
+                    what: What::Ball(ball),
+                });
+            }
         };
         let grid = GridRay::new(self, ray, from?);
         let mesh = scene.mesh(self.mesh);
@@ -57,8 +69,13 @@ impl RayActor {
 
     /// How often a ray meets this actor; of an opaque one, whether it does.
     pub(super) fn in_the_way(&self, scene: &Scene<'_>, ray: &Ray) -> u32 {
-        let Shape::Triangles { first_node, .. } = self.shape else {
-            return self.count_ball(ray);
+        let first_node = match self.shape {
+            Shape::Triangles { first_node, .. } => first_node,
+            Shape::Rectangle { half, .. } => {
+                let hit = self.meet_rectangle(ray, Faces::BOTH, half);
+                return hit.is_some().into();
+            }
+            _ => return self.count_ball(ray),
         };
         let Some(from) = self.place(ray.origin) else {
             return 0;
@@ -92,11 +109,12 @@ impl RayActor {
                 coordinates: None,
                 back: ball.back,
             }),
+            What::Rectangle(hit) => Some(self.rectangle_surface(scene, hit)),
         }
     }
 
-    /// Whether it is met as a ball.
-    pub(super) fn is_ball(&self) -> bool {
+    /// Whether it is met as a ball or a rectangle: a ray that starts on it is told so.
+    pub(super) fn is_exact(&self) -> bool {
         !matches!(self.shape, Shape::Triangles { .. })
     }
 

@@ -13,8 +13,9 @@ pub(super) struct Ray {
     pub near: u32,
     /// What is farther is not met.
     pub far: u32,
-    /// The ball that it starts on, if it does: 1 more than the actor's number.
-    pub from_ball: u16,
+    /// The ball or rectangle that it starts on, if it does: 1 more than the actor's
+    /// number.
+    pub on: u16,
 }
 
 /// As far as rays go.

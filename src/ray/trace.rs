@@ -127,7 +127,7 @@ impl Tracer<'_> {
             if actor.radius == 0 || actor.missed(ray, far) {
                 continue;
             }
-            let from = if actor.is_ball() {
+            let from = if actor.is_exact() {
                 None
             } else {
                 actor.place(ray.origin)
@@ -156,7 +156,7 @@ impl Tracer<'_> {
             material: &material,
             eye: shorten(ray.direction.map(|c| -c)),
             lift,
-            from_ball: if actor.is_ball() { number + 1 } else { 0 },
+            on: if actor.is_exact() { number + 1 } else { 0 },
         };
         let (parts, lights) = shine(self.lights, self.scene, &mut self.actors, &lit, seed);
         let (lit, base) = self.textured(&material, actor.mesh, surface.coordinates, parts);
@@ -282,7 +282,7 @@ impl Tracer<'_> {
         let Some(which) = self.actors.get(actor) else {
             return;
         };
-        let (lift, ball) = (which.lift(met.distance), which.is_ball());
+        let (lift, ball) = (which.lift(met.distance), which.is_exact());
         let mut push = |direction: Unit3, weight: u32, out: bool| {
             if weight < LEAST {
                 return;
@@ -293,7 +293,7 @@ impl Tracer<'_> {
                 direction,
                 near: 0,
                 far: FAR,
-                from_ball: if ball { actor + 1 } else { 0 },
+                on: if ball { actor + 1 } else { 0 },
             };
             if let Some(slot) = waiting.get_mut(*count) {
                 *slot = Some(Waiting {

@@ -78,6 +78,13 @@ impl Scene<'_> {
                 place(centre)?;
                 range(s, i, Field::Radius, radius.into(), 1, half << 9)
             }
+            Shape::Rectangle {
+                centre, half: own, ..
+            } => {
+                place(centre)?;
+                let mut sides = own.into_iter();
+                sides.try_for_each(|side| range(s, i, Field::Size, side.into(), 1, half << 9))
+            }
             Shape::Ellipsoid {
                 centre,
                 rows,

@@ -83,6 +83,16 @@ pub enum Shape {
         /// See `rows`: 30..=60.
         exponent: u8,
     },
+    /// A rectangle across the grid's y axis.
+    Rectangle {
+        /// Its centre, grid steps from the grid's.
+        centre: [i32; 3],
+        /// Half its sides along x and z, in 1/256 of a grid step, above 0.
+        half: [u32; 2],
+        /// Axes on which the grid runs against the model, which faces its y axis and
+        /// whose texture coordinates grow with x and z.
+        against: [bool; 3],
+    },
 }
 
 impl Record for Shape {
@@ -101,6 +111,11 @@ impl Record for Shape {
                 centre,
                 rows: [[r0, r1, r2], [r3, r4, r5], [r6, r7, r8]],
                 exponent: (u(head) >> 8) as u8,
+            },
+            3 => Self::Rectangle {
+                centre,
+                half: [r0 as u32, r1 as u32],
+                against: [8, 9, 10].map(|bit| u(head) >> bit & 1 != 0),
             },
             _ => Self::Triangles {
                 first_node: u(a),
@@ -131,6 +146,17 @@ impl Record for Shape {
                 [*c0, *c1, *c2] = centre.map(w);
                 let entries = rows.as_flattened().iter().copied();
                 rest.iter_mut().zip(entries).for_each(|(to, c)| *to = w(c));
+            }
+            Self::Rectangle {
+                centre,
+                half,
+                against,
+            } => {
+                let [x, y, z] = against.map(u32::from);
+                *head = (3 | x << 8 | y << 9 | z << 10).to_le();
+                [*c0, *c1, *c2] = centre.map(w);
+                let [r0, r1, ..] = rest;
+                [*r0, *r1] = half.map(u32::to_le);
             }
         }
         words

@@ -346,3 +346,31 @@ fn mirrors_and_glass() {
     let report = hold("mirrors and glass", &scene);
     assert!(report.rgb_psnr_db >= 40.0);
 }
+
+/// Rectangles in all positions, with a picture on them, mirrored and sheared too, seen
+/// from both sides.
+#[test]
+fn rectangles() {
+    let whitted = root().join("scenes/ray/whitted.toml");
+    let mut scene = fixel_scene::load(&whitted).unwrap_or_else(|e| panic!("{e}"));
+    let mut random = Random(0x5851_f42d_4c95_7f2d);
+    let textured = scene.materials.iter().position(|m| m.texture.is_some());
+    let material = textured.expect("the ground has a picture");
+    scene.materials[material].cull = Cull::None;
+    let ground = scene.actors.iter().find(|a| a.material == material);
+    let mesh = scene.meshes[ground.expect("it is shown").mesh].clone();
+    for n in 0..24 {
+        let position = random.place(-4.0, 4.0);
+        let actor = add(&mut scene, mesh.clone(), position);
+        actor.material = material;
+        actor.orientation = random.place(-180.0, 180.0);
+        let size = random.place(0.01, 0.08);
+        let sign = |bit: u32| if n >> bit & 1 == 0 { 1.0 } else { -1.0 };
+        actor.scale = [0, 1, 2].map(|bit| size[bit as usize] * sign(bit));
+        if n % 6 == 5 {
+            actor.shear = [random.between(-0.4, 0.4), 0.3, 0.0, 0.2, 0.0, 0.0];
+        }
+    }
+    let report = hold("rectangles", &scene);
+    assert!(report.rgb_psnr_db >= 40.0, "{}", report.rgb_psnr_db);
+}

@@ -1,12 +1,13 @@
 //! What the ray caster needs: a hierarchy over each mesh's triangles, whose leaves are
-//! runs of a meshlet's triangles, and exact balls in place of their triangles.
+//! runs of a meshlet's triangles, and exact balls and rectangles in place of
+//! their triangles.
 
 mod hierarchy;
 mod seen;
 
 use fixel::scene::{LightArea, Node, Optics, RaySettings, Shape};
 use fixel_scene::{Actor, Material, Primitive, Scene};
-use glam::{DVec3, IVec3};
+use glam::{DMat3, DVec3, IVec3};
 
 use crate::BakeError;
 use crate::grid::Grid;
@@ -52,6 +53,9 @@ pub(crate) fn rays(
             // A picture needs the triangles' texture coordinates.
             Some(Primitive::Sphere { radius }) if !scene.actors.iter().any(textured) => {
                 ball(radius, instance, &parts.grids[mesh])
+            }
+            Some(Primitive::Rectangle { width, depth }) if even(instance) => {
+                rectangle([width, depth], instance, &parts.grids[mesh])
             }
             _ => triangles(parts, mesh, &mut rays.nodes)?,
         };
@@ -121,6 +125,27 @@ fn ball(radius: f64, instance: &Instance, grid: &Grid) -> Shape {
         centre,
         rows: [row(0), row(1), row(2)],
         exponent: exponent as u8,
+    }
+}
+
+/// Whether an instance only scales along its axes.
+fn even(instance: &Instance) -> bool {
+    let linear = instance.linear;
+    let scales = DVec3::new(linear.x_axis.x, linear.y_axis.y, linear.z_axis.z);
+    scales.abs().min_element() > 0.0 && linear == DMat3::from_diagonal(scales)
+}
+
+/// A rectangle about its mesh's origin, in the mesh's grid.
+fn rectangle(sides: [f64; 2], instance: &Instance, grid: &Grid) -> Shape {
+    let steps = f64::exp2(f64::from(grid.exponent));
+    let linear = instance.linear;
+    let scales = [linear.x_axis.x, linear.y_axis.y, linear.z_axis.z];
+    let half = |side: f64, scale: f64| ((side / 2.0 * scale.abs() * steps * 256.0).round()) as u32;
+    let ([width, depth], [x, _, z]) = (sides, scales);
+    Shape::Rectangle {
+        centre: (-grid.centre * steps).round().as_ivec3().to_array(),
+        half: [half(width, x), half(depth, z)],
+        against: scales.map(|scale| scale < 0.0),
     }
 }
 
