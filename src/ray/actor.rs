@@ -40,6 +40,20 @@ pub(super) struct GridPlace {
     pub fraction: i32,
 }
 
+impl GridPlace {
+    /// How far a place, in grid steps, is off this one, in its units.
+    #[inline(always)]
+    pub(super) fn off(&self, steps: [i32; 3]) -> [i32; 3] {
+        let left = self.fraction.max(0) as u32;
+        let right = self.fraction.wrapping_neg().max(0) as u32;
+        let mut off = steps;
+        for (c, own) in off.iter_mut().zip(self.place) {
+            *c = (c.wrapping_shl(left) >> right.min(31)).wrapping_sub(own);
+        }
+        off
+    }
+}
+
 impl RayActor {
     pub(super) const EMPTY: Self = Self {
         number: u16::MAX,

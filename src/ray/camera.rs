@@ -1,5 +1,6 @@
 //! Rays through the pixels of a viewport.
 
+use super::beam::TileRays;
 use super::ray::{FAR, Ray, moved};
 use crate::math::{Rect, SUBPX_BITS, Scaled, Unit3, Vec3, mul_high_u, reciprocal, unit};
 use crate::view::{DepthMap, ViewFrame};
@@ -114,6 +115,30 @@ impl RayCamera {
     /// Where all rays start, of a perspective.
     pub(super) fn eye(&self) -> Option<[i32; 3]> {
         self.perspective.then_some(self.eye)
+    }
+
+    /// The rays of a tile, of a perspective.
+    pub(super) fn tile(&self, tile: &Rect) -> Option<TileRays> {
+        if !self.perspective {
+            return None;
+        }
+        // Twice the way from the middle of pixel (0, 0).
+        let twice = |low: u16, high: u16| i64::from(low) + i64::from(high) - 1;
+        let (x, y) = (twice(tile.left, tile.right), twice(tile.top, tile.bottom));
+        let mut middle = self.first;
+        for ((c, across), down) in middle.iter_mut().zip(self.across).zip(self.down) {
+            *c += (across * x + down * y) >> 1;
+        }
+        let changes = self.across.iter().chain(&self.down);
+        let bits = 64 - changes.fold(1, |m, c| m | c.unsigned_abs()).leading_zeros();
+        let up = 30 - bits as i32;
+        let change = |c: i64| if up >= 0 { c << up } else { c >> -up } as i32;
+        Some(TileRays {
+            middle: middle.map(|c| (c >> self.shift) as i32),
+            across: self.across.map(change),
+            down: self.down.map(change),
+            up: up + self.shift as i32,
+        })
     }
 
     /// The same as [`RayCamera::bounds`]; `None` of what reaches behind the eye.

@@ -123,6 +123,7 @@ pub fn render_frame_watched<D: Display, W: Watch>(
             let mut drawing = Drawing {
                 tracer: &mut tracer,
                 listed: work.listed,
+                gathered: work.gathered,
                 watch,
                 viewport,
                 dither: scene.dither(),

@@ -5,6 +5,7 @@
 //! in 8. Nothing is divided, nothing overflows, and what roundings may take is added:
 //! a box around something that is met is met.
 
+use super::actor::GridPlace;
 use super::grid_ray::{AXES, GridRay};
 use super::triangle::{Faces, Points, TriangleHit, meet};
 use crate::math::mul_high;
@@ -57,6 +58,57 @@ impl<'a> Hierarchy<'a> {
             nodes: scene.nodes_from(first_node),
             meshlets: scene.meshlets_of(mesh),
         }
+    }
+
+    /// A node as the blob has it.
+    #[inline(always)]
+    pub(super) fn node_words(&self, number: u32) -> Option<&'a <Node as Record>::Words> {
+        self.nodes.get(number as usize)
+    }
+
+    /// The corners of a leaf's triangles as they are off a place, with their numbers.
+    #[inline(always)]
+    pub(super) fn corners(
+        &self,
+        leaf: Leaf,
+        from: &GridPlace,
+    ) -> impl Iterator<Item = (u8, [[i32; 3]; 3])> {
+        let words = self.meshlets.get(leaf.meshlet as usize);
+        let meshlet = words.map(Meshlet::from_words);
+        let points = meshlet.map(|meshlet| Points::new(self.scene, self.mesh, meshlet));
+        let numbers = leaf.first..leaf.first.saturating_add(leaf.count);
+        points.into_iter().flat_map(move |points| {
+            numbers.clone().map(move |number| {
+                let corners = points.corners(number);
+                (number, corners.map(|corner| from.off(points.place(corner))))
+            })
+        })
+    }
+
+    /// The nearest of some triangles that a ray meets within a range.
+    #[inline(always)]
+    pub(super) fn nearest_of(
+        &self,
+        ray: &GridRay,
+        faces: Faces,
+        range: (i32, i32),
+        triangles: impl Iterator<Item = (u32, u8)>,
+    ) -> Option<TriangleHit> {
+        let mut way = Way {
+            nearest: None,
+            count: 0,
+            range,
+            faces,
+        };
+        for (meshlet, first) in triangles {
+            let leaf = Leaf {
+                meshlet,
+                first,
+                count: 1,
+            };
+            self.leaf(ray, leaf, Wanted::Nearest, &mut way);
+        }
+        way.nearest
     }
 
     /// The nearest triangle that a ray meets within a range, in units of its third axis.

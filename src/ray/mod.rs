@@ -6,9 +6,12 @@
 mod actor;
 mod actors;
 mod ball;
+mod beam;
 mod bounce;
 mod camera;
+mod coverage;
 mod frame;
+mod gather;
 mod grid_ray;
 mod hierarchy;
 mod light;

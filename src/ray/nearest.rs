@@ -2,6 +2,7 @@
 
 use super::actor::{GridPlace, RayActor};
 use super::ball::BallHit;
+use super::gather::Candidates;
 use super::grid_ray::GridRay;
 use super::hierarchy::Hierarchy;
 use super::ray::Ray;
@@ -28,7 +29,7 @@ enum What {
 
 impl RayActor {
     /// Where a ray first meets this actor, nearer than `far`; `from` is the ray's start
-    /// in the actor's grid.
+    /// in the actor's grid, `only` the triangles that it may meet, where that is known.
     #[inline(always)]
     pub(super) fn meet(
         &self,
@@ -36,6 +37,7 @@ impl RayActor {
         ray: &Ray,
         from: Option<GridPlace>,
         far: u32,
+        only: Option<Candidates<'_>>,
     ) -> Option<Met> {
         let first_node = match self.shape {
             Shape::Triangles { first_node, .. } => first_node,
@@ -54,11 +56,20 @@ impl RayActor {
                 });
             }
         };
+        if only.is_some_and(|only| !only.any(self.number)) {
+            return None;
+        }
         let grid = GridRay::new(self, ray, from?);
         let mesh = scene.mesh(self.mesh);
         let tree = Hierarchy::new(scene, &mesh, first_node);
         let range = (grid.units(self, ray.near), limit(&grid, self, far));
-        let hit = tree.nearest(&grid, self.faces, range)?;
+        let hit = match only {
+            Some(only) => {
+                let triangles = only.of(self.number);
+                tree.nearest_of(&grid, self.faces, range, triangles)?
+            }
+            None => tree.nearest(&grid, self.faces, range)?,
+        };
         let way = self.way(grid.along, grid.from.fraction);
         let distance = Scaled::new(hit.ahead.unsigned_abs(), 0).times(way).fixed(0);
         (distance < far).then_some(Met {

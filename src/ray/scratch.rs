@@ -1,6 +1,7 @@
 //! The ray caster's working memory.
 
 use super::actors::RaySlot;
+use super::gather::Gathered;
 
 /// Working memory of a fixed size; put it into a `static`. `ACTORS` whose places are kept
 /// for the frame, about 0.2 KB each, at least 1. If a scene has more, they are made again
@@ -9,6 +10,7 @@ use super::actors::RaySlot;
 pub struct RayScratch<const ACTORS: usize> {
     slots: [RaySlot; ACTORS],
     listed: [u16; ACTORS],
+    gathered: Gathered,
 }
 
 impl<const ACTORS: usize> RayScratch<ACTORS> {
@@ -20,6 +22,7 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
         Self {
             slots: [RaySlot::EMPTY; ACTORS],
             listed: [0; ACTORS],
+            gathered: Gathered::EMPTY,
         }
     }
 
@@ -28,6 +31,7 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
         RayWorkspace {
             slots: &mut self.slots,
             listed: &mut self.listed,
+            gathered: &mut self.gathered,
         }
     }
 }
@@ -44,4 +48,6 @@ pub struct RayWorkspace<'a> {
     pub(super) slots: &'a mut [RaySlot],
     /// Actors that a tile's rays may meet.
     pub(super) listed: &'a mut [u16],
+    /// Triangles that they may meet.
+    pub(super) gathered: &'a mut Gathered,
 }

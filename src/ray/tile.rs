@@ -1,7 +1,9 @@
 //! A viewport's pixels, tile by tile.
 
 use super::camera::RayCamera;
+use super::coverage;
 use super::frame::{RayStats, Seen, Watch};
+use super::gather::Gathered;
 use super::light::Seed;
 use super::sequence::in_pixel;
 use super::trace::{Light, Shown, Tracer, lookup};
@@ -14,7 +16,7 @@ use crate::shade::{Lookup, Pixel, dithered};
 use crate::view::ViewFrame;
 
 /// Columns and rows of a tile.
-const TILE: u16 = 8;
+const TILE: u16 = coverage::TILE as u16;
 /// Columns and rows of a tile with its neighbours.
 const GROWN: usize = TILE as usize + 2;
 
@@ -23,6 +25,8 @@ pub(super) struct Drawing<'a, 's, W> {
     pub tracer: &'a mut Tracer<'s>,
     /// Actors that a tile's rays may meet.
     pub listed: &'a mut [u16],
+    /// Triangles that they may meet.
+    pub gathered: &'a mut Gathered,
     pub watch: &'a mut W,
     pub viewport: PlacedViewport,
     pub dither: Dither,
@@ -101,24 +105,66 @@ impl<W: Watch> Drawing<'_, '_, W> {
         if count == 0 {
             return;
         }
-        for row in tile.top..tile.bottom {
-            for column in tile.left..tile.right {
-                let place = [column, row];
-                if let Some((shown, depth)) = self.cast(camera, place, 0, count) {
-                    self.show(target, place, &shown, depth);
+        if self.part(camera, target, tile, count, false) {
+            return;
+        }
+        // There are more triangles than the list has room for.
+        for part in parts(tile, TILE / 2) {
+            if !self.part(camera, target, &part, count, false) {
+                for part in parts(&part, TILE / 4) {
+                    self.part(camera, target, &part, count, true);
                 }
             }
         }
     }
 
-    /// What a pixel's ray shows, and its depth.
+    /// Draws a tile or a part of one; `false` if it has too many triangles, unless it is
+    /// to be drawn `anyway`.
+    #[inline(never)]
+    fn part(
+        &mut self,
+        camera: &RayCamera,
+        target: &mut Target<'_>,
+        tile: &Rect,
+        count: usize,
+        anyway: bool,
+    ) -> bool {
+        let listed = self.listed.get(..count);
+        let gathered = listed.is_some_and(|listed| {
+            let actors = &mut self.tracer.actors;
+            let view = (self.viewport.number, camera);
+            self.gathered
+                .gather(self.tracer.scene, actors, view, listed, tile)
+        });
+        if !gathered && !anyway && camera.eye().is_some() && listed.is_some() {
+            return false;
+        }
+        for (row, y) in (tile.top..tile.bottom).zip(0..) {
+            for (column, x) in (tile.left..tile.right).zip(0..) {
+                let place = [column, row];
+                let pixel = gathered.then_some(y * coverage::TILE + x);
+                if let Some((shown, depth)) = self.cast(camera, place, 0, count, pixel) {
+                    self.show(target, place, &shown, depth);
+                }
+            }
+        }
+        true
+    }
+
+    /// What a pixel's ray shows, and its depth; `pixel` is its place among those that
+    /// were gathered, if they were.
     fn cast(
         &mut self,
         camera: &RayCamera,
         [column, row]: [u16; 2],
         number: u32,
         count: usize,
+        pixel: Option<usize>,
     ) -> Option<(Shown, u16)> {
+        if pixel.is_some_and(|pixel| self.gathered.nothing_at(pixel)) {
+            self.stats.rays += 1;
+            return None;
+        }
         // In 2^-16 pixels.
         let from_middle = |c: u32| c.wrapping_sub(1 << 31) as i32 >> 16;
         let offset = match number {
@@ -132,13 +178,14 @@ impl<W: Watch> Drawing<'_, '_, W> {
             sample: number,
         };
         let view = (self.viewport.number, camera);
+        let only = pixel.map(|pixel| self.gathered.at(pixel));
         let shown = if count <= self.listed.len() {
             let listed = self.listed.get(..count).unwrap_or_default();
             self.tracer
-                .camera(&cast.ray, view, listed.iter().copied(), seed)
+                .camera(&cast.ray, view, listed.iter().copied(), only, seed)
         } else {
             let all = 0..self.tracer.actors.count();
-            self.tracer.camera(&cast.ray, view, all, seed)
+            self.tracer.camera(&cast.ray, view, all, None, seed)
         }?;
         let depth = camera.depth(&cast, shown.distance);
         Some((shown, depth))
@@ -204,7 +251,7 @@ impl<W: Watch> Drawing<'_, '_, W> {
             let within = tile.top <= row && row < tile.bottom;
             for (column, looks) in (grown.left..grown.right).zip(looks) {
                 let place = [column, row];
-                let seen = self.cast(camera, place, 0, count);
+                let seen = self.cast(camera, place, 0, count, None);
                 *looks = self.looks(seen.as_ref().map(|(shown, _)| shown), row);
                 if let (Some((shown, depth)), true) = (seen, within)
                     && tile.left <= column
@@ -252,7 +299,7 @@ impl<W: Watch> Drawing<'_, '_, W> {
         let [column, row] = place;
         let mut sums = first.map(u32::from);
         for number in 1..u32::from(samples) {
-            let seen = self.cast(camera, place, number, count);
+            let seen = self.cast(camera, place, number, count, None);
             let looks = self.looks(seen.as_ref().map(|(shown, _)| shown), row);
             for (sum, c) in sums.iter_mut().zip(looks.colour) {
                 *sum += u32::from(c);
@@ -297,6 +344,22 @@ impl<W: Watch> Drawing<'_, '_, W> {
             actor: shown.actor,
         }
     }
+}
+
+/// The parts of a tile that are so wide and high.
+fn parts(tile: &Rect, size: u16) -> impl Iterator<Item = Rect> + use<> {
+    let tile = *tile;
+    let corners = [(0, 0), (size, 0), (0, size), (size, size)];
+    let all = corners.into_iter().map(move |(x, y)| {
+        let (left, top) = (tile.left + x, tile.top + y);
+        Rect {
+            left,
+            top,
+            right: (left + size).min(tile.right),
+            bottom: (top + size).min(tile.bottom),
+        }
+    });
+    all.filter(|part| part.left < part.right && part.top < part.bottom)
 }
 
 fn differ(a: &Looks, b: &Looks, threshold: u16) -> bool {

@@ -4,6 +4,7 @@
 use super::actors::RayActors;
 use super::bounce::Facing;
 use super::camera::RayCamera;
+use super::gather::Candidates;
 use super::light::{Lit as LitPoint, RayLights, Seed, shine, shorten};
 use super::nearest::Met;
 use super::ray::{FAR, Ray, moved};
@@ -77,12 +78,13 @@ struct Local {
 
 impl Tracer<'_> {
     /// What a ray from a viewport's camera shows; `None`: the background. Only `listed`
-    /// actors are looked at.
+    /// actors are looked at, and of their triangles `only` some.
     pub(super) fn camera(
         &mut self,
         ray: &Ray,
         (viewport, camera): (u16, &RayCamera),
         listed: impl Iterator<Item = u16>,
+        only: Option<Candidates<'_>>,
         seed: Seed,
     ) -> Option<Shown> {
         let mut best: Option<(u16, Met)> = None;
@@ -90,7 +92,7 @@ impl Tracer<'_> {
         for number in listed {
             let seen = self.actors.seen(number, viewport, camera, ray.origin);
             let Some((which, from)) = seen else { break };
-            if let Some(met) = which.meet(self.scene, ray, from, far) {
+            if let Some(met) = which.meet(self.scene, ray, from, far, only) {
                 far = met.distance;
                 best = Some((number, met));
             }
@@ -132,7 +134,7 @@ impl Tracer<'_> {
             } else {
                 actor.place(ray.origin)
             };
-            if let Some(met) = actor.meet(self.scene, ray, from, far) {
+            if let Some(met) = actor.meet(self.scene, ray, from, far, None) {
                 far = met.distance;
                 best = Some((number, met));
             }

@@ -80,6 +80,14 @@ impl<'a> Points<'a> {
             .wrapping_add(low.into())
     }
 
+    /// A vertex's place, in grid steps.
+    #[inline(always)]
+    pub(super) fn place(&self, number: usize) -> [i32; 3] {
+        let vertex = self.vertices.get(number).copied().unwrap_or_default();
+        let fine = self.fine.get(number);
+        [0, 1, 2].map(|axis| self.steps(&vertex, fine, axis))
+    }
+
     /// A vertex as it is off a ray's start, its axes in the order of `axes`.
     #[inline(always)]
     pub(super) fn off(&self, ray: &GridRay, number: usize, axes: [usize; 3]) -> [i32; 3] {

@@ -1,0 +1,147 @@
+//! The triangles that a tile's rays may meet, gathered by one beam an actor.
+
+use super::actors::RayActors;
+use super::beam::Beam;
+use super::camera::RayCamera;
+use super::coverage::{Bits, TILE, cover};
+use super::hierarchy::Hierarchy;
+use crate::math::Rect;
+use crate::scene::layout::RAY_STACK;
+use crate::scene::{Scene, Shape};
+
+/// Most triangles of a tile: one bit each.
+const MOST: usize = 32;
+
+/// A triangle that a ray may meet.
+#[derive(Clone, Copy, Debug)]
+struct Candidate {
+    meshlet: u32,
+    actor: u16,
+    triangle: u8,
+}
+
+/// What a tile's rays may meet.
+#[derive(Debug)]
+pub(super) struct Gathered {
+    list: [Candidate; MOST],
+    bits: Bits,
+    left: [u32; RAY_STACK],
+    /// There are actors that are no triangles.
+    others: bool,
+}
+
+/// What one pixel's ray may meet.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Candidates<'a> {
+    list: &'a [Candidate; MOST],
+    bits: u32,
+}
+
+impl Gathered {
+    pub(super) const EMPTY: Self = Self {
+        list: [Candidate {
+            meshlet: 0,
+            actor: 0,
+            triangle: 0,
+        }; MOST],
+        bits: [0; TILE * TILE],
+        left: [0; RAY_STACK],
+        others: false,
+    };
+
+    /// Gathers what the rays of a perspective's tile may meet of some actors; `false` if
+    /// that is more than there is room for, or cannot be told.
+    #[inline(never)]
+    pub(super) fn gather(
+        &mut self,
+        scene: &Scene<'_>,
+        actors: &mut RayActors<'_>,
+        (viewport, camera): (u16, &RayCamera),
+        listed: &[u16],
+        tile: &Rect,
+    ) -> bool {
+        let (Some(rays), Some(eye)) = (camera.tile(tile), camera.eye()) else {
+            return false;
+        };
+        self.bits.fill(0);
+        self.others = false;
+        let size = [tile.width(), tile.height()];
+        let mut count = 0;
+        for number in listed {
+            let Some((actor, from)) = actors.seen(*number, viewport, camera, eye) else {
+                return false;
+            };
+            let Shape::Triangles { first_node, .. } = actor.shape else {
+                self.others = true;
+                continue;
+            };
+            // From where it is too small to be seen, no ray meets it.
+            let Some(from) = from else { continue };
+            let Some(beam) = Beam::new(actor, from, &rays, size) else {
+                return false;
+            };
+            let mesh = scene.mesh(actor.mesh);
+            let tree = Hierarchy::new(scene, &mesh, first_node);
+            let (list, bits) = (&mut self.list, &mut self.bits);
+            let all = beam.walk(&tree, &mut self.left, |leaf| {
+                for (triangle, corners) in tree.corners(leaf, &from) {
+                    let bit = 1u32.checked_shl(count as u32).unwrap_or(0);
+                    if !cover(&beam, &corners, actor.faces, size, bits, bit) {
+                        continue;
+                    }
+                    let Some(slot) = list.get_mut(count) else {
+                        return false;
+                    };
+                    *slot = Candidate {
+                        meshlet: leaf.meshlet,
+                        actor: *number,
+                        triangle,
+                    };
+                    count += 1;
+                }
+                true
+            });
+            if !all {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Whether a pixel's ray meets nothing.
+    pub(super) fn nothing_at(&self, pixel: usize) -> bool {
+        !self.others && self.at(pixel).bits == 0
+    }
+
+    /// What a pixel's ray may meet.
+    pub(super) fn at(&self, pixel: usize) -> Candidates<'_> {
+        Candidates {
+            list: &self.list,
+            bits: self.bits.get(pixel).copied().unwrap_or(0),
+        }
+    }
+}
+
+impl<'a> Candidates<'a> {
+    /// Whether there are triangles of an actor.
+    pub(super) fn any(self, actor: u16) -> bool {
+        self.of(actor).next().is_some()
+    }
+
+    /// The triangles of an actor: meshlet, and number in it.
+    #[inline(always)]
+    pub(super) fn of(self, actor: u16) -> impl Iterator<Item = (u32, u8)> + 'a {
+        let mut bits = self.bits;
+        let list = self.list;
+        core::iter::from_fn(move || {
+            while bits != 0 {
+                let found = list.get(bits.trailing_zeros() as usize)?;
+                bits &= bits - 1;
+                if found.actor == actor {
+                    return Some((found.meshlet, found.triangle));
+                }
+            }
+            None
+        })
+    }
+}
