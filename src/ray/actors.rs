@@ -2,6 +2,8 @@
 
 use super::actor::{GridPlace, RayActor};
 use super::camera::RayCamera;
+use super::coarse::{Candidates, Sphere, Unit};
+use super::ray::Ray;
 use crate::math::Rect;
 use crate::scene::{Pose, Scene};
 
@@ -43,14 +45,66 @@ pub(super) struct RayActors<'a> {
     scene: &'a Scene<'a>,
     pose: &'a Pose<'a>,
     slots: &'a mut [RaySlot],
+    /// About the first actors.
+    spheres: &'a mut [Sphere],
+    unit: Unit,
 }
 
 impl<'a> RayActors<'a> {
-    pub(super) fn new(scene: &'a Scene<'a>, pose: &'a Pose<'a>, slots: &'a mut [RaySlot]) -> Self {
+    pub(super) fn new(
+        scene: &'a Scene<'a>,
+        pose: &'a Pose<'a>,
+        slots: &'a mut [RaySlot],
+        spheres: &'a mut [Sphere],
+    ) -> Self {
         for slot in &mut *slots {
             slot.actor.number = u16::MAX;
         }
-        Self { scene, pose, slots }
+        let mut actors = Self {
+            scene,
+            pose,
+            slots,
+            spheres: &mut [],
+            unit: Unit::of(0),
+        };
+        let first = 0..actors.count();
+        let mut reach = 0;
+        for (number, _) in first.clone().zip(&*spheres) {
+            if let Some(actor) = actors.get(number) {
+                let radius = actor.radius.unsigned_abs();
+                for c in actor.centre {
+                    reach |= c.unsigned_abs().saturating_add(radius);
+                }
+            }
+        }
+        let unit = Unit::of(reach);
+        actors.unit = unit;
+        for (number, sphere) in first.zip(&mut *spheres) {
+            if let Some(actor) = actors.get(number) {
+                *sphere = unit.sphere(actor.centre, actor.radius);
+            }
+        }
+        actors.spheres = spheres;
+        actors
+    }
+
+    /// The actors that a ray may meet.
+    #[inline(always)]
+    pub(super) fn candidates(&self, ray: &Ray) -> Candidates {
+        Candidates::of(ray, self.unit, self.spheres, self.count())
+    }
+
+    /// A candidate, if a ray may meet it nearer than `far`.
+    #[inline(always)]
+    pub(super) fn candidate(
+        &mut self,
+        (number, untried): (u16, bool),
+        ray: &Ray,
+        far: u32,
+    ) -> Option<&RayActor> {
+        let actor = self.get(number)?;
+        let missed = untried && (actor.radius == 0 || actor.missed(ray, far));
+        (!missed).then_some(actor)
     }
 
     /// An actor by its number; `None` without any slot.

@@ -100,7 +100,7 @@ pub fn render_frame_watched<D: Display, W: Watch>(
     let lights = RayLights::new(scene);
     let mut tracer = Tracer {
         scene,
-        actors: RayActors::new(scene, pose, work.slots),
+        actors: RayActors::new(scene, pose, work.slots, work.spheres),
         lights: &lights,
         settings: scene.ray_settings(),
         palette,

@@ -157,13 +157,11 @@ pub(super) fn shine(
 #[inline(never)]
 fn passes(scene: &Scene<'_>, actors: &mut RayActors<'_>, ray: &Ray) -> u32 {
     let mut through = 1u32 << 16;
-    for number in 0..actors.count() {
-        let Some(actor) = actors.get(number) else {
-            return through;
-        };
-        if actor.radius == 0 || actor.missed(ray, ray.far) {
+    let mut candidates = actors.candidates(ray);
+    while let Some(next) = candidates.next() {
+        let Some(actor) = actors.candidate(next, ray, ray.far) else {
             continue;
-        }
+        };
         let left = (1u32 << 16).saturating_sub(actor.optics.opacity);
         for _ in 0..actor.in_the_way(scene, ray) {
             through = ((through >> 1) * (left >> 1)) >> 14;

@@ -9,6 +9,7 @@ mod ball;
 mod beam;
 mod bounce;
 mod camera;
+mod coarse;
 mod coverage;
 mod frame;
 mod gather;

@@ -1,6 +1,7 @@
 //! The ray caster's working memory.
 
 use super::actors::RaySlot;
+use super::coarse::Sphere;
 use super::gather::Gathered;
 
 /// Working memory of a fixed size; put it into a `static`. `ACTORS` whose places are kept
@@ -9,6 +10,7 @@ use super::gather::Gathered;
 #[derive(Debug)]
 pub struct RayScratch<const ACTORS: usize> {
     slots: [RaySlot; ACTORS],
+    spheres: [Sphere; ACTORS],
     listed: [u16; ACTORS],
     gathered: Gathered,
 }
@@ -21,6 +23,7 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
         let () = Self::SOME;
         Self {
             slots: [RaySlot::EMPTY; ACTORS],
+            spheres: [Sphere::NONE; ACTORS],
             listed: [0; ACTORS],
             gathered: Gathered::EMPTY,
         }
@@ -30,6 +33,7 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
     pub fn workspace(&mut self) -> RayWorkspace<'_> {
         RayWorkspace {
             slots: &mut self.slots,
+            spheres: &mut self.spheres,
             listed: &mut self.listed,
             gathered: &mut self.gathered,
         }
@@ -46,6 +50,8 @@ impl<const ACTORS: usize> Default for RayScratch<ACTORS> {
 #[derive(Debug)]
 pub struct RayWorkspace<'a> {
     pub(super) slots: &'a mut [RaySlot],
+    /// About the actors in the slots.
+    pub(super) spheres: &'a mut [Sphere],
     /// Actors that a tile's rays may meet.
     pub(super) listed: &'a mut [u16],
     /// Triangles that they may meet.

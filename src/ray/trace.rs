@@ -122,13 +122,11 @@ impl Tracer<'_> {
     fn nearest(&mut self, ray: &Ray) -> Option<(u16, Met)> {
         let mut best: Option<(u16, Met)> = None;
         let mut far = ray.far;
-        for number in 0..self.actors.count() {
-            let Some(actor) = self.actors.get(number) else {
-                break;
-            };
-            if actor.radius == 0 || actor.missed(ray, far) {
+        let mut candidates = self.actors.candidates(ray);
+        while let Some(next) = candidates.next() {
+            let Some(actor) = self.actors.candidate(next, ray, far) else {
                 continue;
-            }
+            };
             let from = if actor.is_exact() {
                 None
             } else {
@@ -136,7 +134,7 @@ impl Tracer<'_> {
             };
             if let Some(met) = actor.meet(self.scene, ray, from, far, None) {
                 far = met.distance;
-                best = Some((number, met));
+                best = Some((next.0, met));
             }
         }
         best
