@@ -68,6 +68,9 @@ pub(super) struct Source {
     pub(super) colour: [u32; 3],
     /// By distance in units of the patch.
     attenuation: [Scaled; 3],
+    /// Of a light that is the same at all distances, its factor, 14 fractional bits;
+    /// 0 of others.
+    even: u32,
     cone: i32,
     exponent: u16,
 }
@@ -79,6 +82,7 @@ impl Source {
         place: [0; 3],
         colour: [0; 3],
         attenuation: [Scaled::ZERO; 3],
+        even: 0,
         cone: 0,
         exponent: 0,
     };
@@ -94,6 +98,7 @@ impl Source {
     /// A light whose place is in units of so many world units.
     pub(super) fn at(light: &Light, towards: ShortUnit, place: [i32; 3], unit: Scaled) -> Self {
         let [constant, linear, quadratic] = light.attenuation;
+        let even = linear == Scaled::ZERO && quadratic == Scaled::ZERO;
         Self {
             kind: light.kind,
             towards,
@@ -104,6 +109,7 @@ impl Source {
                 linear.times(unit),
                 quadratic.times(unit).times(unit),
             ],
+            even: if even { factor(constant) } else { 0 },
             // 28 fractional bits.
             cone: light.cone >> 2,
             exponent: light.exponent,
@@ -125,11 +131,13 @@ impl Source {
         }
         let ([ax, ay, az], [bx, by, bz]) = (from, place);
         let (towards, distance) = direction([ax - bx, ay - by, az - bz])?;
-        let [constant, linear, quadratic] = self.attenuation;
-        let sum = linear.plus(quadratic.times(distance)).times(distance);
-        let factor = scaled_reciprocal(constant.plus(sum))
-            .fixed(ONE_BITS)
-            .min(MOST);
+        let factor = if self.even != 0 {
+            self.even
+        } else {
+            let [constant, linear, quadratic] = self.attenuation;
+            let sum = linear.plus(quadratic.times(distance)).times(distance);
+            factor(constant.plus(sum))
+        };
         if self.kind == LightKind::Point {
             return Some((towards, factor));
         }
@@ -140,6 +148,11 @@ impl Source {
         let beam = power(cosine.unsigned_abs(), self.exponent);
         Some((towards, scale(factor, beam)))
     }
+}
+
+/// The factor of an attenuation, 14 fractional bits.
+fn factor(attenuation: Scaled) -> u32 {
+    scaled_reciprocal(attenuation).fixed(ONE_BITS).min(MOST)
 }
 
 /// What several lights give.

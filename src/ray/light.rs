@@ -97,10 +97,7 @@ pub(super) fn shine(
         };
         for which in 0..samples {
             let from = match &lamp.area {
-                Some(area) => {
-                    let place = on_light(which, samples, seed.sample, seed.pixel);
-                    place_in(lamp.position, area, place)
-                }
+                Some(area) => sampled(lamp.position, area, (which, samples), seed),
                 None => lamp.position,
             };
             let Some((towards, factor)) = light.reaches(from, surface.place) else {
@@ -139,11 +136,13 @@ pub(super) fn shine(
                     on: lit.on,
                 };
                 let through = passes(scene, actors, &ray);
-                factor = Scaled::new(factor, -16)
-                    .times(Scaled::new(through, 0))
-                    .fixed(0);
                 if through == 0 {
                     continue;
+                }
+                if through < 1 << 16 {
+                    factor = Scaled::new(factor, -16)
+                        .times(Scaled::new(through, 0))
+                        .fixed(0);
                 }
             }
             mask |= 1u8 << (number & 7);
@@ -183,7 +182,11 @@ fn share(factor: u32, samples: u32) -> u32 {
         .unwrap_or(factor)
 }
 
-fn place_in(middle: [i32; 3], area: &LightArea, place: [u32; 2]) -> [i32; 3] {
+/// The place of a sample of a light. By itself, so that lights that are points do not
+/// pay for it.
+#[inline(never)]
+fn sampled(middle: [i32; 3], area: &LightArea, (which, of): (u32, u32), seed: Seed) -> [i32; 3] {
+    let place = on_light(which, of, seed.sample, seed.pixel);
     // From the middle, 2^-32.
     let parts = place.map(|c| c.wrapping_sub(1 << 31) as i32);
     let mut place = middle;

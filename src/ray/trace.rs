@@ -142,7 +142,7 @@ impl Tracer<'_> {
 
     #[inline(never)]
     fn local(&mut self, ray: &Ray, number: u16, met: &Met, seed: Seed) -> Option<Local> {
-        let actor = *self.actors.get(number)?;
+        let actor = self.actors.get(number)?;
         let material = self.scene.material(actor.material);
         let goes_on = actor.optics != Optics::PLAIN;
         let need = Need {
@@ -151,15 +151,16 @@ impl Tracer<'_> {
         };
         let surface = actor.surface_at(self.scene, ray, met, need)?;
         let lift = actor.lift(met.distance);
+        let (mesh, exact) = (actor.mesh, actor.is_exact());
         let lit = LitPoint {
             surface: &surface,
             material: &material,
             eye: shorten(ray.direction.map(|c| -c)),
             lift,
-            on: if actor.is_exact() { number + 1 } else { 0 },
+            on: if exact { number + 1 } else { 0 },
         };
         let (parts, lights) = shine(self.lights, self.scene, &mut self.actors, &lit, seed);
-        let (lit, base) = self.textured(&material, actor.mesh, surface.coordinates, parts);
+        let (lit, base) = self.textured(&material, mesh, surface.coordinates, parts);
         let facing = goes_on.then(|| {
             let facing = Facing::new(&surface, ray.direction);
             (facing, surface.place, surface.back)
