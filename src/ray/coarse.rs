@@ -68,7 +68,7 @@ impl Unit {
     #[inline(always)]
     fn ray(self, ray: &Ray) -> Option<CoarseRay> {
         let origin = ray.origin.map(|c| c >> self.shift);
-        let near = |c: i32| (c + REACH) as u32 <= 2 * REACH as u32;
+        let near = |c: i32| c.wrapping_add(REACH) as u32 <= 2 * REACH as u32;
         let [x, y, z] = origin;
         if !(near(x) && near(y) && near(z)) {
             return None;
@@ -197,5 +197,20 @@ mod tests {
         }
         // It does tell most of them.
         assert!(met > 1000 && missed > 180_000, "{met} {missed}");
+    }
+
+    #[test]
+    fn far_rays_are_not_told() {
+        let unit = Unit::of(100);
+        for c in [i32::MIN, 1 << 15, i32::MAX] {
+            let ray = Ray {
+                origin: [c, 0, 0],
+                direction: [1 << 30, 0, 0],
+                near: 0,
+                far: FAR,
+                on: 0,
+            };
+            assert!(unit.ray(&ray).is_none(), "{c}");
+        }
     }
 }
