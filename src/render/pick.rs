@@ -14,7 +14,7 @@ use crate::scene::{Pose, Scene};
 /// What is at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Picked {
-    /// The actor.
+    /// The actor; of one that has several parts, the whole.
     pub actor: u16,
     /// The triangle's place in the scene's list.
     pub triangle: u32,
@@ -51,7 +51,7 @@ pub fn pick(
         (*value, depth) = at.draw(&PaintTriangle { byte })?;
     }
     Some(Picked {
-        actor: u16::from_le_bytes(actor),
+        actor: scene.whole(u16::from_le_bytes(actor)),
         triangle: u32::from_le_bytes(triangle),
         depth,
     })

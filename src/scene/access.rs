@@ -94,7 +94,16 @@ impl<'a> Scene<'a> {
             step_exponent: 0,
             parent: None,
             still: false,
+            part: false,
         })
+    }
+
+    /// What an actor is a part of: its parent if it is a further part of that, else
+    /// itself.
+    pub fn whole(&self, index: u16) -> u16 {
+        let actor = self.actor(index);
+        let parent = actor.parent.filter(|_| actor.part);
+        parent.unwrap_or(index)
     }
 
     /// Number of materials.

@@ -84,6 +84,9 @@ pub struct Actor {
     pub parent: Option<u16>,
     /// A turntable leaves it where it is.
     pub still: bool,
+    /// A further part of its parent, in another material: where it shows, the parent
+    /// does.
+    pub part: bool,
 }
 
 impl Record for Actor {
@@ -116,6 +119,7 @@ impl Record for Actor {
             // 1 more than its index, so that 0 is none.
             parent: (u(parent) as u16).checked_sub(1),
             still: u(parent) >> 16 & 1 != 0,
+            part: u(parent) >> 17 & 1 != 0,
         }
     }
 
@@ -125,7 +129,8 @@ impl Record for Actor {
         let [o0, o1, o2] = self.offset.map(w);
         let ids = u32::from(self.mesh) | u32::from(self.material) << 16;
         let parent = self.parent.map_or(0, |p| u32::from(p) + 1);
-        let last = parent | u32::from(self.still) << 16;
+        let flags = u32::from(self.still) | u32::from(self.part) << 1;
+        let last = parent | flags << 16;
         [
             ids.to_le(),
             p0,

@@ -159,6 +159,7 @@ fn case() -> impl Strategy<Value = Case> {
                         step_exponent: exponent,
                         parent: None,
                         still: false,
+                        part: false,
                     },
                     meshlets: [one, other],
                     point,

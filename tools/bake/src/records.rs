@@ -145,6 +145,7 @@ pub(crate) fn actors(
             step_exponent: 0,
             parent: actor.parent.map(|parent| parent as u16),
             still: actor.still,
+            part: actor.part,
         };
         if actor.look.space == Space::Screen {
             // A world unit is a pixel.

@@ -36,7 +36,13 @@ pub fn run(args: &args::Render) -> Result<()> {
     let (width, height) = (options.width, options.height);
     let started = Instant::now();
     let mut stats = common_stats(args, &input.scene, options);
-    let picture = draw(args, input, options)?;
+    let wholes: Vec<_> = (0..input.scene.actors.len())
+        .map(|actor| input.scene.whole(actor) as u16 + 1)
+        .collect();
+    let mut picture = draw(args, input, options)?;
+    for id in picture.actor.iter_mut().filter(|id| **id != 0) {
+        *id = wholes[usize::from(*id) - 1];
+    }
     let milliseconds = started.elapsed().as_secs_f64() * 1e3;
 
     let (columns, rows) = picture.samples;
@@ -160,7 +166,10 @@ fn common_stats(
         ("width", json!(options.width)),
         ("height", json!(options.height)),
         ("frame", json!(options.frame)),
-        ("actors", json!(scene.actors.len())),
+        (
+            "actors",
+            json!(scene.actors.iter().filter(|actor| !actor.part).count()),
+        ),
         (
             "triangles",
             json!(scene.actors.iter().map(triangles).sum::<usize>()),

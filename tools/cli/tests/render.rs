@@ -153,3 +153,26 @@ fn a_report_is_a_page_with_its_pictures() {
         "{page}"
     );
 }
+
+/// The house is one actor of the file, whatever materials its mesh has.
+#[test]
+fn parts_of_an_actor_show_its_number() {
+    let folder = Folder::new();
+    let house = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/house.toml");
+    folder
+        .fixel(&format!("bake {house} --ray -o house.fxl"))
+        .ok();
+    for scene in [house, "house.fxl"] {
+        for renderer in ["raster", "ray", "reference"] {
+            folder
+                .fixel(&format!(
+                    "render {scene} --renderer {renderer} --size 64x48 -o p.png --id-out i.png"
+                ))
+                .ok();
+            let ids = read_grey16(folder.path("i.png"));
+            let count = |wanted| ids.iter().filter(|id| **id == wanted).count();
+            assert!(count(1) > 500 && count(2) > 500, "{scene}, {renderer}");
+            assert!(ids.iter().all(|id| *id <= 2), "{scene}, {renderer}");
+        }
+    }
+}

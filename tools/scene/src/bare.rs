@@ -11,7 +11,8 @@ use crate::description::{
 };
 use crate::error::Error;
 use crate::framing::{self, Bounds};
-use crate::mesh;
+use crate::mesh::{self, Surface};
+use crate::parts;
 
 /// Degrees from the front towards the mesh's right, and upwards.
 const AZIMUTH: f64 = 30.0;
@@ -26,20 +27,25 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
     let mut loaded = mesh::load(path)?;
     notes.append(&mut loaded.notes);
     let mut textures = Vec::new();
-    let material = Material {
-        name: "default".to_owned(),
+    let mut meshes = loaded.parts();
+    let mut surfaces = loaded.surfaces;
+    surfaces.resize_with(meshes.len(), Surface::default);
+    let name = &meshes[0].name;
+    let material = |(number, surface): (usize, &Surface)| Material {
+        name: parts::material_name(name, number),
         ambient: 0.15,
         diffuse: 0.85,
-        ..loaded.surface.unwrap_or_default().material(&mut textures)
+        ..surface.material(&mut textures)
     };
-    let mut meshes = vec![loaded.mesh];
-    if material.texture.is_none() {
-        mesh::forget_texture_coordinates(&mut meshes[0]);
-    }
-    let actors = vec![Actor {
-        name: meshes[0].name.clone(),
+    let materials: Vec<_> = surfaces.iter().enumerate().map(material).collect();
+    let mut actors = vec![Actor {
+        name: name.clone(),
         ..Actor::default()
     }];
+    let further = parts::further(0, &actors[0], (1..meshes.len()).map(|part| [part; 2]));
+    let further: Vec<_> = further.collect();
+    actors.extend(further);
+    parts::forget_unused(&mut meshes, actors.iter(), &materials);
     let display = Display {
         width: 320,
         height: 240,
@@ -71,7 +77,7 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
             edges: None,
         }],
         textures,
-        materials: vec![material],
+        materials,
         meshes,
         actors,
         fog: None,

@@ -10,6 +10,7 @@ mod framing;
 mod look;
 mod mesh;
 mod motion;
+mod parts;
 mod picture;
 mod texture;
 

@@ -79,6 +79,7 @@ pub(super) fn actors(blob: &Blob<'_>, places: &Places) -> Vec<Actor> {
             matrix: parent.map_or(fixel_scene::IDENTITY, |parent| places.undone(&parent)),
             parent: actor.parent.map(usize::from),
             still: actor.still,
+            part: actor.part,
             ..Actor::default()
         }
     };

@@ -84,6 +84,9 @@ pub struct Actor {
     pub look: Look,
     /// A turntable leaves it where it is.
     pub still: bool,
+    /// A further part of its parent, in another material: what shows it shows the
+    /// parent.
+    pub part: bool,
 }
 
 /// The matrix that leaves everything in place.
@@ -110,6 +113,7 @@ impl Default for Actor {
             parent: None,
             look: Look::default(),
             still: false,
+            part: false,
         }
     }
 }

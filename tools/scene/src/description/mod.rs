@@ -64,3 +64,12 @@ pub struct Scene {
     /// How rays are cast.
     pub ray: Ray,
 }
+
+impl Scene {
+    /// What an actor is a part of: its parent if it is a further part of that, else
+    /// itself.
+    pub fn whole(&self, actor: usize) -> usize {
+        let found = &self.actors[actor];
+        found.parent.filter(|_| found.part).unwrap_or(actor)
+    }
+}

@@ -153,6 +153,7 @@ pub(super) fn actor(
         scale: scale(table)?,
         look: look(table)?,
         still: false,
+        part: false,
         shear: shear(table)?,
         matrix: matrix(table)?,
         parent: None,

@@ -2,6 +2,7 @@
 //! in, or the first mistake with its line. Used by [`crate::load`].
 
 mod actor;
+mod actors;
 mod animation;
 mod annotation;
 mod camera;
@@ -22,17 +23,15 @@ mod texture;
 mod viewport;
 
 use std::ops::RangeInclusive;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use glam::DVec3;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::description::{Actor, Camera, Light, LightKind, Material, Mesh, Scene, Target};
+use crate::description::{Camera, Light, LightKind, Material, Scene, Target};
 use crate::error::Error;
 use crate::framing::Bounds;
-use crate::look::Representation;
-use crate::mesh::{self, Surface};
 use crate::texture::Texture;
 use table::{Keys, Source, Table};
 
@@ -81,8 +80,19 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
     let mut textures = Vec::new();
     let mut materials = materials(&root, &mut textures)?;
     let (ambient, lights) = lights(&root)?;
-    let (mut meshes, mut actors) = actors(&root, &mut materials, &mut textures, notes)?;
+    let mut found = actors::Found {
+        materials: &mut materials,
+        textures: &mut textures,
+        notes,
+        meshes: actors::Meshes::default(),
+    };
+    let (mut actors, further) = actors::actors(&root, &mut found)?;
+    let mut meshes = found
+        .meshes
+        .finish(actors.iter().chain(&further), &materials);
     annotation::annotations(&root, &mut materials, &mut meshes, &mut actors)?;
+    // Behind all that have a number in the file.
+    actors.extend(further);
     if actors.is_empty() {
         let what = "actor: is missing; expected at least one [[actor]] with a mesh";
         return Err(Error::new(source.file, what));
@@ -225,89 +235,4 @@ pub(crate) fn headlight(camera: &Camera) -> Light {
         intensity: 1.0,
         edges: None,
     }
-}
-
-/// All actors and the meshes that they name, each file read once.
-fn actors(
-    root: &Table<'_, '_>,
-    materials: &mut Vec<Material>,
-    textures: &mut Vec<Texture>,
-    notes: &mut Vec<String>,
-) -> Result<(Vec<Mesh>, Vec<Actor>), Error> {
-    let mut paths: Vec<PathBuf> = Vec::new();
-    let mut meshes: Vec<Mesh> = Vec::new();
-    // What the meshes' files say of their surfaces, until it is asked for.
-    let mut surfaces: Vec<Option<Surface>> = Vec::new();
-    let mut actors: Vec<Actor> = Vec::new();
-    let mut tables = Vec::new();
-    for (table, header) in many(root, "actor")? {
-        let table = Table::new(root.source, "actor", table, header, &actor::ACTOR)?;
-        let index = match actor::shape(&table)? {
-            actor::Shape::File(name) => {
-                let path = root.source.beside(name);
-                match paths.iter().position(|other| *other == path) {
-                    Some(index) => index,
-                    None => {
-                        let bytes = mesh::check_name(&path)
-                            .and_then(|()| mesh::read(&path))
-                            .map_err(|what| {
-                                table.file_error("mesh", name, &what, "meshes/teapot.obj")
-                            })?;
-                        let mut loaded = mesh::parse(&path, &bytes)?;
-                        loaded.mesh.name = name.to_owned();
-                        notes.append(&mut loaded.notes);
-                        meshes.push(loaded.mesh);
-                        surfaces.push(loaded.surface);
-                        paths.push(path);
-                        meshes.len() - 1
-                    }
-                }
-            }
-            actor::Shape::Made(made) => {
-                let known = meshes.iter().position(|other| *other == made);
-                known.unwrap_or_else(|| {
-                    meshes.push(made);
-                    surfaces.push(None);
-                    // A name that no file has.
-                    paths.push(PathBuf::new());
-                    meshes.len() - 1
-                })
-            }
-        };
-        let mut actor = actor::actor(&table, actors.len(), index, materials)?;
-        if !table.has("material")
-            && let Some(surface) = &surfaces[index]
-        {
-            let name = &meshes[index].name;
-            let known = materials.iter().position(|other| other.name == *name);
-            actor.material = known.unwrap_or_else(|| {
-                let name = name.clone();
-                let own = surface.material(textures);
-                materials.push(Material { name, ..own });
-                materials.len() - 1
-            });
-        }
-        let textured = materials[actor.material].texture.is_some();
-        let surface = actor.look.representation == Representation::Surface;
-        if textured && surface && meshes[index].texture_coordinates.is_empty() {
-            let what = "has a texture, but the mesh has no texture coordinates; \
-                        expected one with them, e.g. vt of an OBJ file";
-            return Err(table.error("material", what));
-        }
-        if table.has("name") && actors.iter().any(|other| other.name == actor.name) {
-            let name = &actor.name;
-            let what = format!("\"{name}\" is the name of another; expected a name of its own");
-            return Err(table.error("name", what));
-        }
-        actors.push(actor);
-        tables.push(table);
-    }
-    actor::parents(&tables, &mut actors)?;
-    for (index, mesh) in meshes.iter_mut().enumerate() {
-        let textured = |actor: &Actor| materials[actor.material].texture.is_some();
-        if !actors.iter().any(|a| a.mesh == index && textured(a)) {
-            mesh::forget_texture_coordinates(mesh);
-        }
-    }
-    Ok((meshes, actors))
 }

@@ -88,7 +88,8 @@ pub(super) fn finish(name: &str, soup: Soup) -> Result<Loaded, Refusal> {
     }
     Ok(Loaded {
         mesh,
-        surface: soup.surface,
+        surfaces: soup.surfaces,
+        surface_of: soup.surface_of,
         notes: soup
             .notes
             .iter()

@@ -1,6 +1,6 @@
 //! glTF 2.0, as text with buffers or as GLB: the triangles of all meshes in
 //! the default scene, each moved by its nodes, with normals, vertex colours, texture
-//! coordinates, and base colours and the texture of their materials. Cameras, lights,
+//! coordinates, and base colours and textures of their materials. Cameras, lights,
 //! skins, morph targets and all else of materials are left out.
 
 use std::path::Path;
@@ -12,8 +12,8 @@ use gltf::mesh::Mode;
 use gltf::{Document, Gltf, Node, Primitive, Semantic};
 
 use super::accessor::{self, Buffers};
-use super::{MAX_TEXTURE_COORDINATE, MAX_TRIANGLES, Refusal, Soup, Surface, gltf_texture, polygon};
-use crate::description::Rgb;
+use super::gltf_surface::{self, Part};
+use super::{MAX_TEXTURE_COORDINATE, MAX_TRIANGLES, Refusal, Soup, polygon};
 
 /// Deeper than any sensible scene, and low enough for a scan of all pairs.
 const MAX_NODES: usize = 100_000;
@@ -47,7 +47,13 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Soup, Refusal> {
             }
         }
     }
-    reader.finish(path, &document)
+    let Walk {
+        buffers,
+        mut soup,
+        parts,
+    } = reader;
+    gltf_surface::give(path, &document, &buffers, &parts, &mut soup)?;
+    Ok(soup)
 }
 
 /// The crate's own check trusts these indices (gltf-json 1.4.1, mesh.rs).
@@ -124,17 +130,6 @@ struct Walk {
     parts: Vec<Part>,
 }
 
-/// What a primitive became.
-#[derive(Debug)]
-struct Part {
-    /// Index of the material.
-    material: Option<usize>,
-    /// Its base colour, display-encoded.
-    colour: Rgb,
-    /// Its vertices: from this one to the next part's.
-    first: usize,
-}
-
 impl Walk {
     /// Visits each node once, so that nodes in a circle end too.
     fn nodes<'a>(
@@ -165,7 +160,7 @@ impl Walk {
                 }
             }
             if node.skin().is_some() {
-                self.note("skins are left out");
+                self.soup.note("skins are left out");
             }
             let first = waiting.len();
             waiting.extend(node.children().map(|child| (child, world)));
@@ -174,19 +169,13 @@ impl Walk {
         Ok(())
     }
 
-    fn note(&mut self, note: &str) {
-        if !self.soup.notes.iter().any(|other| other == note) {
-            self.soup.notes.push(note.to_owned());
-        }
-    }
-
     fn primitive(&mut self, primitive: &Primitive<'_>, world: &DMat4) -> Result<(), Refusal> {
         let mode = primitive.mode();
         if !matches!(
             mode,
             Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan
         ) {
-            self.note("points and lines are left out");
+            self.soup.note("points and lines are left out");
             return Ok(());
         }
         let Some(positions) = primitive.get(&Semantic::Positions) else {
@@ -277,82 +266,20 @@ impl Walk {
 
     /// Notes a primitive's material; gives the set of texture coordinates that it
     /// uses.
-    fn material(&mut self, primitive: &Primitive<'_>, first: usize) -> u32 {
+    fn material(&mut self, primitive: &Primitive<'_>, first_vertex: usize) -> u32 {
         let material = primitive.material();
         let base = material.pbr_metallic_roughness();
         let [red, green, blue, _] = base.base_color_factor();
         self.parts.push(Part {
             material: material.index(),
             colour: [red, green, blue].map(encode),
-            first,
+            first_vertex,
+            first_triangle: self.soup.triangles.len(),
         });
         if primitive.morph_targets().next().is_some() {
-            self.note("morph targets are left out");
+            self.soup.note("morph targets are left out");
         }
         base.base_color_texture().map_or(0, |info| info.tex_coord())
-    }
-
-    /// One colour for all is the surface's, several are the vertices'.
-    fn finish(mut self, path: &Path, document: &Document) -> Result<Soup, Refusal> {
-        let Some(first) = self.parts.first() else {
-            return Ok(self.soup);
-        };
-        let mut surface = Surface {
-            colour: first.colour,
-            ..Surface::default()
-        };
-        if self.parts.iter().any(|part| part.colour != surface.colour) {
-            surface.colour = [1.0; 3];
-            self.colour_parts();
-        }
-        let named = |part: &Part| {
-            part.material
-                .and_then(|index| document.materials().nth(index))
-        };
-        let materials: Vec<_> = self.parts.iter().filter_map(named).collect();
-        let textures: Vec<_> = self
-            .parts
-            .iter()
-            .map(|part| gltf_texture::index(named(part)))
-            .collect();
-        let mut extensions = document.extensions_used();
-        if extensions.any(|extension| extension == "KHR_texture_transform") {
-            self.note("texture transforms are left out");
-        }
-        surface.both_sides = materials.iter().any(|material| material.double_sided());
-        match textures.first() {
-            Some(Some(one)) if textures.iter().all(|other| other == &Some(*one)) => {
-                let material = materials.first();
-                if self.soup.texture_coordinates.is_empty() {
-                    self.note("a texture is left out, as there are no texture coordinates");
-                } else if let Some(material) = material {
-                    let (texture, notes) = gltf_texture::read(path, &self.buffers, material)?;
-                    surface.texture = texture;
-                    notes.iter().for_each(|note| self.note(note));
-                }
-            }
-            _ if textures.iter().any(Option::is_some) => {
-                self.note("has several textures, or some parts without one: all are left out");
-            }
-            _ => {}
-        }
-        if !materials.is_empty() {
-            self.soup.surface = Some(surface);
-        }
-        Ok(self.soup)
-    }
-
-    /// Multiplies the vertex colours, or makes them, by the parts' base colours.
-    fn colour_parts(&mut self) {
-        let soup = &mut self.soup;
-        soup.colours.resize(soup.positions.len(), [1.0; 3]);
-        let ends = self.parts.iter().skip(1).map(|part| part.first);
-        let ends: Vec<usize> = ends.chain([soup.positions.len()]).collect();
-        for (part, end) in self.parts.iter().zip(ends) {
-            for colour in &mut soup.colours[part.first..end] {
-                *colour = [0, 1, 2].map(|c| colour[c] * part.colour[c]);
-            }
-        }
     }
 }
 

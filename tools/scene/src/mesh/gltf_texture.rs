@@ -14,8 +14,8 @@ use crate::picture;
 use crate::texture::{Filter, Texture, Texturing, Wrap};
 
 /// The index of the texture, and of its set of coordinates.
-pub(super) fn index(material: Option<Material<'_>>) -> Option<(usize, u32)> {
-    let info = material?.pbr_metallic_roughness().base_color_texture()?;
+pub(super) fn index(material: &Material<'_>) -> Option<(usize, u32)> {
+    let info = material.pbr_metallic_roughness().base_color_texture()?;
     Some((info.texture().index(), info.tex_coord()))
 }
 

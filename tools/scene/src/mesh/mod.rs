@@ -6,8 +6,10 @@ mod accessor;
 mod crease;
 mod finish;
 mod gltf;
+mod gltf_surface;
 mod gltf_texture;
 mod obj;
+mod part;
 mod ply;
 mod polygon;
 mod primitive;
@@ -42,8 +44,10 @@ pub(crate) const EXTENSIONS: &[&str] = &["obj", "glb", "gltf", "stl", "ply"];
 #[derive(Debug)]
 pub(crate) struct Loaded {
     pub mesh: Mesh,
-    /// What the file says of its surface, if anything.
-    pub surface: Option<Surface>,
+    /// What the file says of its surfaces, if anything.
+    pub surfaces: Vec<Surface>,
+    /// The surface that each triangle belongs to.
+    pub surface_of: Vec<u32>,
     /// What was left out, one line each.
     pub notes: Vec<String>,
 }
@@ -62,8 +66,20 @@ struct Soup {
     triangles: Vec<[u32; 3]>,
     /// Sides of triangles that are inside a polygon, the lower index first.
     diagonals: HashSet<[u32; 2]>,
-    surface: Option<Surface>,
+    /// What the file says of its surfaces, if anything.
+    surfaces: Vec<Surface>,
+    /// The surface of each triangle, where there are any.
+    surface_of: Vec<u32>,
     notes: Vec<String>,
+}
+
+impl Soup {
+    /// Notes what was left out, once.
+    fn note(&mut self, note: &str) {
+        if !self.notes.iter().any(|other| other == note) {
+            self.notes.push(note.to_owned());
+        }
+    }
 }
 
 /// Why a file was refused: the line if it has one, and what is wrong.

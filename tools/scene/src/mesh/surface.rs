@@ -26,12 +26,15 @@ impl Default for Surface {
 
 impl Surface {
     /// As a material without a name that is the default in all else. Adds the texture
-    /// to the scene's.
+    /// to the scene's, if they do not have it.
     pub(crate) fn material(&self, textures: &mut Vec<Texture>) -> Material {
         let texture = self.texture.as_ref().map(|(texture, how)| {
-            textures.push(texture.clone());
+            let known = textures.iter().position(|other| other == texture);
             Texturing {
-                texture: textures.len() - 1,
+                texture: known.unwrap_or_else(|| {
+                    textures.push(texture.clone());
+                    textures.len() - 1
+                }),
                 ..*how
             }
         });

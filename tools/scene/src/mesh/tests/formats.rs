@@ -108,8 +108,8 @@ fn gltf_nodes_move_their_meshes() {
 
 #[test]
 fn a_gltf_base_colour_is_display_encoded() {
-    let colour = load("a.glb", &samples::glb("", INDICES)).unwrap().surface;
-    let [red, green, blue] = colour.unwrap().colour;
+    let colour = load("a.glb", &samples::glb("", INDICES)).unwrap().surfaces;
+    let [red, green, blue] = colour[0].colour;
     assert_eq!([red, green], [1.0, 0.0]);
     assert!((blue - 0.735_356_9).abs() < 1e-6);
 }

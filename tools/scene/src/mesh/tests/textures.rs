@@ -1,13 +1,15 @@
 //! Texture coordinates, and textures that come with a mesh.
 
+use std::path::Path;
+
 use image::ColorType;
 
 use super::samples::{self, OBJ, PLY};
-use super::{load, mesh, refused};
+use super::{load, mesh, parse, refused};
 use crate::description::Cull;
 use crate::mesh::forget_texture_coordinates;
 use crate::picture::tests::png;
-use crate::texture::{Filter, Wrap};
+use crate::texture::{Filter, Texture, Wrap};
 
 #[test]
 fn obj_coordinates_are_the_files() {
@@ -61,7 +63,7 @@ fn a_texture_in_a_glb_comes_in_by_itself() {
     assert_eq!(places[..3], [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]);
     assert!((places[3][1] - 0.8).abs() < 1e-7);
     assert!(loaded.notes.is_empty(), "{:?}", loaded.notes);
-    let surface = loaded.surface.unwrap();
+    let surface = loaded.surfaces[0].clone();
     assert_eq!(surface.colour[..2], [1.0, 0.0]);
     let (texture, how) = surface.texture.clone().unwrap();
     assert_eq!((texture.width, texture.height), (2, 1));
@@ -69,15 +71,23 @@ fn a_texture_in_a_glb_comes_in_by_itself() {
     assert_eq!(texture.name, "a.glb, images[0]");
     assert_eq!((how.filter, how.wrap), (Filter::Nearest, Wrap::Repeat));
     assert!(how.mipmaps && how.perspective && how.alpha_test == 0.0);
-    let mut textures = vec![texture];
+    let other = Texture {
+        name: "another".to_owned(),
+        ..texture.clone()
+    };
+    let mut textures = vec![other];
+    for _ in 0..2 {
+        let material = surface.material(&mut textures);
+        assert_eq!(material.texture.unwrap().texture, 1);
+    }
+    assert_eq!(textures[1..], [texture]);
     let material = surface.material(&mut textures);
-    assert_eq!(material.texture.unwrap().texture, 1);
     assert_eq!(material.diffuse_colour, surface.colour);
 
     let material = r#", "alphaMode": "MASK", "alphaCutoff": 0.25, "doubleSided": true"#;
     let sampler = r#""magFilter": 9728, "minFilter": 9729, "wrapS": 33071, "wrapT": 33648"#;
     let loaded = load("a.glb", &samples::textured_glb(&file, material, sampler)).unwrap();
-    let surface = loaded.surface.unwrap();
+    let surface = loaded.surfaces[0].clone();
     assert_eq!(surface.material(&mut Vec::new()).cull, Cull::None);
     let (_, how) = surface.texture.unwrap();
     assert_eq!((how.filter, how.wrap), (Filter::Nearest, Wrap::Clamp));
@@ -103,7 +113,7 @@ fn several_base_colours_become_vertex_colours() {
         .replace("0.5, 1]}}]", "0.5, 1]}}, {}]");
     let loaded = load("a.gltf", text.as_bytes()).unwrap();
     assert_eq!(loaded.mesh.triangles.len(), 4);
-    assert_eq!(loaded.surface.unwrap().colour, [1.0; 3]);
+    assert_eq!(loaded.surfaces[0].colour, [1.0; 3]);
     let colours = &loaded.mesh.colours;
     assert!(
         colours[..4]
@@ -129,4 +139,39 @@ fn without_a_texture_vertices_on_seams_are_one() {
     assert_eq!(seamed.triangles, plain.triangles);
     assert_eq!(seamed.edges.len(), 5);
     assert!(seamed.edges.as_flattened().iter().all(|index| *index < 4));
+}
+
+#[test]
+fn each_texture_of_a_gltf_is_a_surface_of_its_own() {
+    let house = Path::new("../../scenes/meshes/house.gltf");
+    let loaded = parse(house, &std::fs::read(house).unwrap()).unwrap();
+    assert!(loaded.notes.is_empty(), "{:?}", loaded.notes);
+    // Walls, roof; door and path, whose base colours become vertex colours.
+    let textures: Vec<_> = loaded
+        .surfaces
+        .iter()
+        .map(|surface| {
+            surface
+                .texture
+                .as_ref()
+                .map(|(texture, _)| texture.name.as_str())
+        })
+        .collect();
+    let [bricks, tiles] = ["house.gltf, images[0]", "house.gltf, images[1]"];
+    assert_eq!(textures, [Some(bricks), Some(tiles), None]);
+    let sides: Vec<_> = loaded.surfaces.iter().map(|s| s.both_sides).collect();
+    assert_eq!(sides, [false, true, false]);
+    let parts = loaded.parts();
+    let triangles: Vec<_> = parts.iter().map(|part| part.triangles.len()).collect();
+    assert_eq!(triangles, [10, 4, 4]);
+    let corners: Vec<_> = parts.iter().map(|part| part.positions.len()).collect();
+    assert_eq!(corners, [18, 8, 8]);
+    let coloured: Vec<_> = parts.iter().map(|part| part.colours.len()).collect();
+    assert_eq!(coloured, [0, 0, 8]);
+    // Each edge once: outlines and diagonals.
+    let edges: usize = parts.iter().map(|part| part.edges.len()).sum();
+    assert_eq!(edges, loaded.mesh.edges.len());
+    let whole: f64 = loaded.mesh.positions.as_flattened().iter().sum();
+    let all: f64 = parts.iter().flat_map(|p| p.positions.as_flattened()).sum();
+    assert!((whole - all).abs() < 1e-9);
 }
