@@ -2,9 +2,9 @@
 
 use fixel::scene::layout::{CHECKED_FROM, HEADER_WORDS, LIGHTS, PREFIX_BYTES, SECTIONS};
 use fixel::scene::{Header, Optics, Record, SceneError, checksum};
-use fixel_scene::{Actor, Scene, Space};
+use fixel_scene::{Actor, Element, Scene, Space};
 
-use crate::BakeError;
+use crate::error::{BakeError, Problem};
 use crate::fog;
 use crate::instance::instances;
 use crate::light::{light, material};
@@ -231,13 +231,15 @@ fn bake_with(scene: &Scene, rays: Option<&[Sample]>) -> Result<Baked, BakeError>
     ];
     let cycle = scene.animation.palette_cycle;
     if let Some(cycle) = cycle.filter(|c| c.last as usize >= tables.palette.len()) {
-        return Err(BakeError::Range {
+        let problem = Problem::Range {
             what: format!(
                 "animation.palette_cycle.last of a palette of {} entries",
                 tables.palette.len()
             ),
             value: cycle.last.into(),
-        });
+            most: (tables.palette.len() - 1) as f64,
+        };
+        return Err(problem.at(Element::Animation));
     }
     let words = assemble(header(scene, &units, tables.spread)?, &sections)?;
     Ok(Baked {
@@ -250,7 +252,7 @@ pub(crate) fn at_most(what: &'static str, found: usize, most: usize) -> Result<(
     if found <= most {
         Ok(())
     } else {
-        Err(BakeError::TooMany { what, found, most })
+        Err(Problem::TooMany { what, found, most }.into())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use fixel::scene::Coordinates;
 
-use crate::BakeError;
+use crate::error::{BakeError, Problem};
 
 /// A mesh's coordinates as the blob has them, v from the top, and their record but for
 /// the offset; none for a mesh without.
@@ -32,10 +32,12 @@ pub(crate) fn place(
         .min(finest(farthest, 30.0))
         .min(24.0);
     if exponent < 0.0 {
-        return Err(BakeError::Range {
+        let problem = Problem::Range {
             what: "the range of a mesh's texture coordinates".into(),
             value: range.max(farthest),
-        });
+            most: 65534.0,
+        };
+        return Err(problem.into());
     }
     let steps = f64::exp2(exponent);
     let origin = bounds.map(|(low, high)| ((low + high) / 2.0 * steps).round());

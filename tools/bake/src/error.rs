@@ -2,9 +2,60 @@
 
 use std::fmt;
 
-/// Something that a blob cannot hold.
+use fixel_scene::Element;
+
+/// Something that a blob cannot hold, and where it is.
 #[derive(Clone, Debug, PartialEq)]
-pub enum BakeError {
+pub struct BakeError {
+    /// The table of the scene file.
+    pub element: Option<Element>,
+    /// What is wrong.
+    pub problem: Problem,
+}
+
+/// A number of a scene, for messages.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Spot<'a> {
+    /// Its table.
+    pub element: Element,
+    /// How a message calls it.
+    pub what: &'a str,
+}
+
+impl<'a> Spot<'a> {
+    pub(crate) fn new(element: Element, what: &'a str) -> Self {
+        Self { element, what }
+    }
+}
+
+impl Problem {
+    /// In a table of the scene file.
+    pub(crate) fn at(self, element: Element) -> BakeError {
+        BakeError {
+            element: Some(element),
+            problem: self,
+        }
+    }
+}
+
+impl From<Problem> for BakeError {
+    fn from(problem: Problem) -> Self {
+        Self {
+            element: None,
+            problem,
+        }
+    }
+}
+
+impl fmt::Display for BakeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.problem.fmt(f)
+    }
+}
+
+/// What a blob cannot hold.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Problem {
     /// More of something than the format counts.
     TooMany {
         /// Of what.
@@ -30,14 +81,16 @@ pub enum BakeError {
         what: String,
         /// Its value.
         value: f64,
+        /// The largest that fits, either side of 0.
+        most: f64,
     },
 }
 
-impl fmt::Display for BakeError {
+impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooMany { what, found, most } => {
-                write!(f, "{found} {what}, at most {most} can be baked")
+                write!(f, "{found} {what}; expected at most {most}")
             }
             Self::NotYet { what } => write!(f, "{what} is not supported yet"),
             Self::Turns { actor } => write!(
@@ -47,9 +100,20 @@ impl fmt::Display for BakeError {
                  anew in each frame; expected the uneven part on the actor itself as scale or \
                  shear, or a matrix that only turns on a parent"
             ),
-            Self::Range { what, value } => write!(f, "{what} is {value}, out of range"),
+            Self::Range { what, value, most } => write!(
+                f,
+                "{what} is {}, out of range; expected within {} either side of 0",
+                short(*value),
+                short(*most)
+            ),
         }
     }
+}
+
+/// A number in six digits.
+fn short(value: f64) -> f64 {
+    let text = format!("{value:.5e}");
+    text.parse().unwrap_or(value)
 }
 
 impl std::error::Error for BakeError {}

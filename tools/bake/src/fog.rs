@@ -43,7 +43,7 @@ pub(crate) fn fogged_row(fog: &Fog, colour: Rgb, row: usize) -> Rgb {
 /// The record. What is farther than a world length holds is farther than all there
 /// is.
 pub(crate) fn fog(fog: &Fog, units: &Units) -> core_scene::Fog {
-    let length = |distance| units.length("fog", distance).unwrap_or(i32::MAX);
+    let length = |distance| units.bits(distance).unwrap_or(i32::MAX);
     core_scene::Fog {
         colour: fog.colour.map(|c| (c * 255.0).round() as u8),
         mode: match fog.mode {

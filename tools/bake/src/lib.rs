@@ -31,6 +31,6 @@ mod units;
 mod viewport;
 
 pub use blob::{Baked, bake, bake_for_rays};
-pub use error::BakeError;
+pub use error::{BakeError, Problem};
 pub use mesh::{Source, Sources};
 pub use unbake::unbake;

@@ -2,10 +2,10 @@
 
 use fixel::math::Scaled;
 use fixel::scene::{self as core_scene, Channels};
-use fixel_scene::{Attenuation, Cull, Light, LightKind, Material, Rgb, Scene, Shading};
+use fixel_scene::{Attenuation, Cull, Element, Light, LightKind, Material, Rgb, Scene, Shading};
 use glam::DVec3;
 
-use crate::BakeError;
+use crate::error::{BakeError, Problem, Spot};
 use crate::palette::{Path, ambient_level};
 use crate::units::{Units, mantissa_exponent, unit_q30};
 
@@ -15,7 +15,8 @@ pub(crate) fn light(
     number: usize,
     light: &Light,
 ) -> Result<core_scene::Light, BakeError> {
-    let what = |field: &str| format!("light {number}: {field}");
+    let element = Element::Light(number - 1);
+    let what = |field: &str| format!("light.{field}");
     let mut record = core_scene::Light {
         kind: core_scene::LightKind::Directional,
         towards: [0; 3],
@@ -28,10 +29,12 @@ pub(crate) fn light(
     for (to, channel) in record.colour.iter_mut().zip(light.colour) {
         let strength = light.intensity * channel;
         if !(0.0..=32.0).contains(&strength) {
-            return Err(BakeError::Range {
+            let problem = Problem::Range {
                 what: what("intensity"),
                 value: strength,
-            });
+                most: 32.0,
+            };
+            return Err(problem.at(element));
         }
         *to = (strength * 65536.0).round() as u32;
     }
@@ -42,7 +45,8 @@ pub(crate) fn light(
             attenuation,
         } => {
             record.kind = core_scene::LightKind::Point;
-            record.position = units.place(&what("position"), DVec3::from(position))?;
+            record.position =
+                units.place(Spot::new(element, &what("position")), DVec3::from(position))?;
             record.attenuation = by_world_units(units, attenuation);
         }
         LightKind::Spot {
@@ -54,7 +58,8 @@ pub(crate) fn light(
         } => {
             record.kind = core_scene::LightKind::Spot;
             record.towards = unit_q30(-DVec3::from(direction));
-            record.position = units.place(&what("position"), DVec3::from(position))?;
+            record.position =
+                units.place(Spot::new(element, &what("position")), DVec3::from(position))?;
             record.attenuation = by_world_units(units, attenuation);
             record.cone = (cone_angle.to_radians().cos() * f64::exp2(30.0)).round() as i32;
             record.exponent = (exponent * 256.0).round() as u16;

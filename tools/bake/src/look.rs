@@ -5,9 +5,9 @@ use embedded_graphics::image::GetPixel;
 use embedded_graphics::mono_font::{MonoFont, iso_8859_1};
 use embedded_graphics::pixelcolor::BinaryColor;
 use fixel::scene::{self as core_scene, Cull, Representation, Shading};
-use fixel_scene::{Font, Look, Mark, Scene, Shape, Side, Space};
+use fixel_scene::{Element, Font, Look, Mark, Scene, Shape, Side, Space};
 
-use crate::BakeError;
+use crate::error::{BakeError, Problem};
 
 /// Looks and the rows of their marks.
 #[derive(Default)]
@@ -36,9 +36,8 @@ pub(crate) fn looks(
             ..materials[actor.material]
         };
         if wanted.coloured {
-            return Err(BakeError::NotYet {
-                what: format!("actor `{}`: lines or points in coloured light", actor.name),
-            });
+            let what = format!("actor `{}`: lines or points in coloured light", actor.name);
+            return Err(Problem::NotYet { what }.at(Element::Actor(number)));
         }
         let known = materials.iter().position(|m| *m == wanted);
         let material = known.unwrap_or_else(|| {

@@ -12,7 +12,7 @@ use crate::group::{Group, groups};
 use crate::instance::Instance;
 use crate::meshlet::clusters;
 use crate::snap::{place, snap};
-use crate::{BakeError, coordinates, normal};
+use crate::{BakeError, Problem, coordinates, normal};
 
 /// A mesh of so many triangles may take 4 bytes more a vertex to be exact to 22
 /// bits an axis: large faces that the eye stands close to need it, and flash does
@@ -227,9 +227,10 @@ impl Parts {
             let mut vertex = [0; 4];
             for axis in 0..3 {
                 let steps = from_base[axis] >> shifts[axis];
-                vertex[axis] = i16::try_from(steps).map_err(|_| BakeError::Range {
+                vertex[axis] = i16::try_from(steps).map_err(|_| Problem::Range {
                     what: "a vertex's distance from its meshlet's middle in steps".into(),
                     value: steps.into(),
+                    most: i16::MAX.into(),
                 })?;
             }
             let one = if shape.fine {

@@ -10,10 +10,10 @@
 //! that turns within an uneven space: its mesh would be another one in every frame.
 
 use fixel::scene::layout::PARENTS;
-use fixel_scene::{Actor, Quantity, Scene, Target};
+use fixel_scene::{Actor, Element, Quantity, Scene, Target};
 use glam::{DMat3, DMat4, DVec3};
 
-use crate::BakeError;
+use crate::error::{BakeError, Problem, Spot};
 use crate::units::Units;
 
 /// How far a matrix may be from an even one that is taken for it.
@@ -38,16 +38,17 @@ impl Placed {
     pub fn position(
         &self,
         units: &Units,
-        actor: &Actor,
+        (number, actor): (usize, &Actor),
         position: [f64; 3],
     ) -> Result<[i32; 3], BakeError> {
         let way = DVec3::from(position) + DVec3::from(actor.origin);
         let place = self.base + self.moves * way;
         let what = format!("actor `{}`: position", actor.name);
+        let spot = Spot::new(Element::Actor(number), &what);
         if self.root {
-            units.place(&what, place)
+            units.place(spot, place)
         } else {
-            units.vector(&what, place)
+            units.vector(spot, place)
         }
     }
 }
@@ -59,11 +60,12 @@ pub(crate) fn placed(scene: &Scene) -> Result<Vec<Placed>, BakeError> {
         let mut chain = vec![index];
         while let Some(parent) = scene.actors[chain[chain.len() - 1]].parent {
             if chain.len() > PARENTS {
-                return Err(BakeError::TooMany {
+                let problem = Problem::TooMany {
                     what: "parents above an actor",
                     found: chain.len(),
                     most: PARENTS,
-                });
+                };
+                return Err(problem.at(Element::Actor(index)));
             }
             chain.push(parent);
         }
@@ -98,7 +100,7 @@ fn place(
         }
         _ if turns(scene, index) => {
             let actor = actor.name.clone();
-            return Err(BakeError::Turns { actor });
+            return Err(Problem::Turns { actor }.at(Element::Actor(index)));
         }
         (_, Some((factor, turn))) => (angles(turn), DMat3::from_diagonal(DVec3::splat(factor))),
         (Some((factor, outer)), _) => (angles(outer * turn), inner * factor),

@@ -2,17 +2,17 @@
 
 use fixel::scene::layout::STEP_EXPONENTS;
 use fixel::scene::{self as core_scene, CameraRecord, Header};
-use fixel_scene::{Camera, ColourFormat, Dithering, Projection, Scene, Space};
+use fixel_scene::{Camera, ColourFormat, Dithering, Element, Projection, Scene, Space};
 use glam::DVec3;
 
-use crate::BakeError;
+use crate::error::{BakeError, Problem, Spot};
 use crate::grid::Grid;
 use crate::instance::Instance;
 use crate::placement::Placed;
 use crate::units::{Units, mantissa_exponent, turns, unit_q30};
 
 pub(crate) fn header(scene: &Scene, units: &Units, spread: f64) -> Result<Header, BakeError> {
-    let camera = camera(&scene.camera, units)?;
+    let camera = camera(&scene.camera, Element::Camera, units)?;
     let cycle = scene.animation.palette_cycle;
     Ok(Header {
         length: 0,
@@ -46,7 +46,12 @@ pub(crate) fn header(scene: &Scene, units: &Units, spread: f64) -> Result<Header
 }
 
 /// A camera's record.
-pub(crate) fn camera(camera: &Camera, units: &Units) -> Result<CameraRecord, BakeError> {
+pub(crate) fn camera(
+    camera: &Camera,
+    element: Element,
+    units: &Units,
+) -> Result<CameraRecord, BakeError> {
+    let spot = |what| Spot::new(element, what);
     let (mut focus, eye) = (
         DVec3::from(camera.focal_point),
         DVec3::from(camera.position),
@@ -61,22 +66,25 @@ pub(crate) fn camera(camera: &Camera, units: &Units) -> Result<CameraRecord, Bak
         Projection::Perspective { view_angle } => {
             let tangent = (view_angle.to_radians() / 2.0).tan() * f64::exp2(24.0);
             if !(1.0..f64::exp2(32.0)).contains(&tangent) {
-                return Err(BakeError::Range {
+                let problem = Problem::Range {
                     what: "camera.view_angle".into(),
                     value: view_angle,
-                });
+                    most: 179.0,
+                };
+                return Err(problem.at(element));
             }
             (0, tangent.round() as u32)
         }
         Projection::Parallel { parallel_scale } => {
-            let half = units.length("camera.parallel_scale", parallel_scale)?;
+            let half = units.length(spot("camera.parallel_scale"), parallel_scale)?;
             (1, half.max(1) as u32)
         }
     };
-    let (near, far, range_exponent) = range(camera, units, projection)?;
+    let (near, far, range_exponent) =
+        range(camera, spot("camera.clipping_range"), units, projection)?;
     Ok(CameraRecord {
-        position: units.place("camera.position", eye)?,
-        focal_point: units.place("camera.focal_point", focus)?,
+        position: units.place(spot("camera.position"), eye)?,
+        focal_point: units.place(spot("camera.focal_point"), focus)?,
         // Only its direction counts.
         view_up: unit_q30(DVec3::from(camera.view_up)),
         projection,
@@ -88,29 +96,36 @@ pub(crate) fn camera(camera: &Camera, units: &Units) -> Result<CameraRecord, Bak
 }
 
 /// Near, far and the power of two that they are in.
-fn range(camera: &Camera, units: &Units, projection: u8) -> Result<(i32, i32, u8), BakeError> {
-    let what = "camera.clipping_range";
+fn range(
+    camera: &Camera,
+    spot: Spot<'_>,
+    units: &Units,
+    projection: u8,
+) -> Result<(i32, i32, u8), BakeError> {
     let [near, far] = camera.clipping_range;
     if projection == 0 {
         // What is farther than a world length holds is farther than all there is.
-        let near = units.length(what, near)?.max(1);
-        let far = units.length(what, far).unwrap_or(i32::MAX);
+        let near = units.length(spot, near)?.max(1);
+        let far = units.bits(far).unwrap_or(i32::MAX);
         return Ok((near, far.max(near.saturating_add(1)), 0));
     }
     let fits = |exponent: &u8| {
         let unit = f64::exp2(-f64::from(*exponent));
-        [near, far]
-            .iter()
-            .all(|d| units.length(what, d * unit).is_ok())
+        [near, far].iter().all(|d| units.bits(d * unit).is_some())
     };
-    let exponent = (0..=11).find(fits).ok_or(BakeError::Range {
-        what: what.into(),
-        value: far,
-    })?;
+    let Some(exponent) = (0..=11).find(fits) else {
+        let most = units.scene_length(f64::exp2(26.0));
+        let problem = Problem::Range {
+            what: spot.what.into(),
+            value: far,
+            most,
+        };
+        return Err(problem.at(spot.element));
+    };
     let unit = f64::exp2(-f64::from(exponent));
     let (near, far) = (
-        units.length(what, near * unit)?,
-        units.length(what, far * unit)?,
+        units.length(spot, near * unit)?,
+        units.length(spot, far * unit)?,
     );
     Ok((near, far.max(near.saturating_add(1)), exponent))
 }
@@ -160,20 +175,25 @@ pub(crate) fn actors(
             });
         }
         let offset = (grid.centre - instance.linear * DVec3::from(actor.origin)) * factor;
-        let name = &actor.name;
+        let (name, element) = (&actor.name, Element::Actor(number));
         let step = factor * f64::exp2(f64::from(units.exponent - grid.exponent));
         let (step_mantissa, step_exponent) = mantissa_exponent(step);
         let (least, most) = STEP_EXPONENTS;
         if !(least..=most).contains(&step_exponent) {
-            return Err(BakeError::Range {
+            let problem = Problem::Range {
                 what: format!("actor `{name}`: scale"),
                 value: factor,
-            });
+                most: f64::exp2(f64::from(most)) * factor / step,
+            };
+            return Err(problem.at(element));
         }
         Ok(core_scene::Actor {
-            position: placed.position(units, actor, actor.position)?,
+            position: placed.position(units, (number, actor), actor.position)?,
             orientation: placed.orientation.map(turns),
-            offset: units.vector(&format!("actor `{name}`: origin"), offset)?,
+            offset: units.vector(
+                Spot::new(element, &format!("actor `{name}`: origin")),
+                offset,
+            )?,
             step_mantissa,
             step_exponent,
             ..record

@@ -1,10 +1,10 @@
 //! Key frames, in the blob's formats.
 
 use fixel::scene::{self as core_scene, layout};
-use fixel_scene::{Quantity, Scene, Target, Track};
+use fixel_scene::{Element, Quantity, Scene, Target, Track};
 use glam::DVec3;
 
-use crate::BakeError;
+use crate::error::{BakeError, Spot};
 use crate::placement::Placed;
 use crate::units::Units;
 
@@ -68,13 +68,16 @@ fn values(
             bits.clamp(f64::from(i32::MIN), f64::from(i32::MAX)) as i32
         })
     };
+    let spot = |what| Spot::new(Element::Animation, what);
     match (track.target, track.quantity) {
         (Target::Actor(index), Quantity::Position) => {
-            placed[index].position(units, &scene.actors[index], value)
+            placed[index].position(units, (index, &scene.actors[index]), value)
         }
-        (_, Quantity::Position) => units.place("animation.key.position", DVec3::from(value)),
-        (_, Quantity::FocalPoint) => units.place("animation.key.focal_point", DVec3::from(value)),
-        (_, Quantity::Pan) => units.vector("animation.key.pan", DVec3::from(value)),
+        (_, Quantity::Position) => units.place(spot("animation.key.position"), DVec3::from(value)),
+        (_, Quantity::FocalPoint) => {
+            units.place(spot("animation.key.focal_point"), DVec3::from(value))
+        }
+        (_, Quantity::Pan) => units.vector(spot("animation.key.pan"), DVec3::from(value)),
         (_, Quantity::Orientation | Quantity::Azimuth | Quantity::Elevation | Quantity::Roll) => {
             Ok(fixed(1.0 / 360.0))
         }

@@ -1,9 +1,9 @@
 //! How materials let what is behind them show through, in the blob's records.
 
 use fixel::scene as core_scene;
-use fixel_scene::{Material, Representation, Scene, Transparency};
+use fixel_scene::{Element, Material, Representation, Scene, Transparency};
 
-use crate::BakeError;
+use crate::error::{BakeError, Problem};
 use crate::palette::blended;
 
 /// Thresholds of the screen-door pattern.
@@ -14,23 +14,30 @@ const NEXT: usize = 16;
 
 /// Refuses what the renderer cannot do with transparent materials.
 pub(crate) fn possible(scene: &Scene) -> Result<(), BakeError> {
-    let not_yet = |what| Err(BakeError::NotYet { what });
+    let not_yet = |actor, what| Err(Problem::NotYet { what }.at(Element::Actor(actor)));
     let hazy = scene.fog.is_some() && scene.materials.iter().any(blended);
-    let over = scene.actors.iter().find(|actor| !actor.look.depth_test);
-    if let (true, Some(actor)) = (hazy, over) {
-        return not_yet(format!(
-            "actor `{}`: depth_test = false in fog with blended materials (expected \
+    let mut actors = scene.actors.iter().enumerate();
+    let over = actors.find(|(_, actor)| !actor.look.depth_test);
+    if let (true, Some((number, actor))) = (hazy, over) {
+        return not_yet(
+            number,
+            format!(
+                "actor `{}`: depth_test = false in fog with blended materials (expected \
              depth_test = true)",
-            actor.name
-        ));
+                actor.name
+            ),
+        );
     }
-    for actor in &scene.actors {
+    for (number, actor) in scene.actors.iter().enumerate() {
         let material = &scene.materials[actor.material];
         if material.opacity < 1.0 && actor.look.representation != Representation::Surface {
-            return not_yet(format!(
-                "actor `{}`: lines or points of a material of opacity {} (expected opacity = 1)",
-                actor.name, material.opacity
-            ));
+            return not_yet(
+                number,
+                format!(
+                    "actor `{}`: lines or points of a material of opacity {} (expected opacity = 1)",
+                    actor.name, material.opacity
+                ),
+            );
         }
     }
     Ok(())

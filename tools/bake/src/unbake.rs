@@ -10,8 +10,8 @@ use fixel::scene as core_scene;
 use fixel::scene::layout::CHAINED;
 use fixel_scene::{
     Actor, Aspect, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Look, Mark,
-    Material, Mesh, Palette, Projection, Ray, Representation, Rgb, Scene, Shading, Space, Stereo,
-    Viewport,
+    Material, Mesh, Palette, Projection, Ray, Representation, Rgb, Scene, Shading, Source, Space,
+    Stereo, Viewport,
 };
 
 use crate::normal;
@@ -82,6 +82,7 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
             .map(|fog| crate::fog::unbake(&fog, |bits| places.length(bits))),
         animation: motion::animation(blob, &places),
         ray: Ray::default(),
+        source: Source::default(),
         palette: Palette {
             colours: blob.palette().len() as u32,
             fixed: blob.palette().to_vec(),

@@ -3,7 +3,7 @@
 use fixel_scene::{Camera, Projection, Reach, Scene};
 use glam::DVec3;
 
-use crate::BakeError;
+use crate::error::{BakeError, Problem, Spot};
 
 /// World units are at most this far from the origin, which leaves an
 /// application four times that to move things in.
@@ -90,29 +90,33 @@ impl Units {
     }
 
     /// Raw bits of a place in the world.
-    pub(crate) fn place(&self, what: &str, place: DVec3) -> Result<[i32; 3], BakeError> {
-        self.vector(what, place - self.origin())
+    pub(crate) fn place(&self, spot: Spot<'_>, place: DVec3) -> Result<[i32; 3], BakeError> {
+        self.vector(spot, place - self.origin())
     }
 
     /// Raw bits of a world length, rounded to nearest.
-    pub(crate) fn length(&self, what: &str, length: f64) -> Result<i32, BakeError> {
+    pub(crate) fn length(&self, spot: Spot<'_>, length: f64) -> Result<i32, BakeError> {
+        let problem = || Problem::Range {
+            what: spot.what.into(),
+            value: length,
+            most: self.scene_length(f64::from(i32::MAX) / 65536.0),
+        };
+        let bits = self.bits(length);
+        bits.ok_or_else(|| problem().at(spot.element))
+    }
+
+    /// The same, if they hold it.
+    pub(crate) fn bits(&self, length: f64) -> Option<i32> {
         let bits = (length * f64::exp2(f64::from(self.exponent + 16))).round();
-        if bits.abs() < f64::from(i32::MAX) {
-            Ok(bits as i32)
-        } else {
-            Err(BakeError::Range {
-                what: what.into(),
-                value: length,
-            })
-        }
+        (bits.abs() < f64::from(i32::MAX)).then_some(bits as i32)
     }
 
     /// Raw bits of a way from one place to another.
-    pub(crate) fn vector(&self, what: &str, point: DVec3) -> Result<[i32; 3], BakeError> {
+    pub(crate) fn vector(&self, spot: Spot<'_>, point: DVec3) -> Result<[i32; 3], BakeError> {
         Ok([
-            self.length(what, point.x)?,
-            self.length(what, point.y)?,
-            self.length(what, point.z)?,
+            self.length(spot, point.x)?,
+            self.length(spot, point.y)?,
+            self.length(spot, point.z)?,
         ])
     }
 }

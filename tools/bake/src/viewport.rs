@@ -1,7 +1,7 @@
 //! Viewports in the blob's records.
 
 use fixel::scene::{self as core_scene, FULL_SIDE, Output};
-use fixel_scene::{Aspect, Display, Scene, Stereo};
+use fixel_scene::{Aspect, Display, Element, Scene, Stereo};
 
 use crate::BakeError;
 use crate::records::camera;
@@ -16,7 +16,7 @@ pub(crate) fn viewports(
 ) -> Result<Vec<core_scene::Viewport>, BakeError> {
     let mut first = 0;
     let mut all = Vec::new();
-    for (viewport, background) in scene.viewports.iter().zip(backgrounds) {
+    for (number, (viewport, background)) in scene.viewports.iter().zip(backgrounds).enumerate() {
         let [x, y, width, height] = viewport.rectangle;
         // From the lower left corner to the upper left one.
         let sides = [x, 1.0 - (y + height), x + width, 1.0 - y];
@@ -25,7 +25,9 @@ pub(crate) fn viewports(
         all.push(core_scene::Viewport {
             sides: sides.map(part),
             stretch: viewport.aspect == Aspect::Stretch,
-            camera: own.map(|own| camera(own, units)).transpose()?,
+            camera: own
+                .map(|own| camera(own, Element::Viewport(number), units))
+                .transpose()?,
             background: (first, background.len() as u16),
         });
         first += background.len() as u16;

@@ -50,7 +50,7 @@ pub fn run(args: &args::Animate) -> Result<()> {
         Tested::Raster => input.bake(),
         Tested::Ray => input.bake_for_rays(),
     };
-    let baked = baked.with_context(name)?;
+    let baked = baked?;
     let scene = baked.scene()?;
     let mut options = Options::of(&scene);
     if let Some(size) = args.size {

@@ -1,7 +1,7 @@
 //! `fixel bake`.
 
 use crate::{args, baked, input, output};
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 
 /// Bakes a scene into one file.
 pub fn run(args: &args::Bake) -> Result<()> {
@@ -25,7 +25,7 @@ pub fn run(args: &args::Bake) -> Result<()> {
         max_triangles: args.max_triangles,
         ray: args.ray,
     };
-    let bytes = baked::bake(input, options).with_context(|| args.scene.display().to_string())?;
+    let bytes = baked::bake(input, options)?;
     output::write(&args.output, &bytes)?;
     eprintln!("wrote {} ({} bytes)", args.output.display(), bytes.len());
     Ok(())

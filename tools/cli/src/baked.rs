@@ -1,6 +1,6 @@
 //! Baked scenes: making one, and saying what is in one.
 
-use anyhow::{Result, bail};
+use anyhow::Result;
 use fixel_bake::Baked;
 use serde_json::{Map, Value, json};
 
@@ -25,10 +25,10 @@ pub fn bake(input: Input, options: Options) -> Result<Vec<u8>> {
             .find(|m| m.triangles.len() > most as usize);
         if let Some(mesh) = larger {
             let found = mesh.triangles.len();
-            bail!(
+            return Err(input.refused(&format!(
                 "`{}` has {found} triangles; simplifying meshes is not there yet",
                 mesh.name
-            );
+            )));
         }
     }
     let baked = if options.ray {

@@ -40,7 +40,7 @@ pub fn run(args: &args::Compare) -> Result<()> {
         Tested::Raster => reference::render(&scene, at),
         Tested::Ray => reference::render_rays(&scene, at),
     };
-    let rendered = raster::render(input, options).with_context(name)?;
+    let rendered = raster::render(input, options)?;
     let report = fixel_reference::compare(&truth, &rendered.frame).with_context(name)?;
     let true_picture = reference::picture(&scene, at, &truth);
     let picture_psnr_db = fixel_reference::psnr_db(&rendered.picture, &true_picture);

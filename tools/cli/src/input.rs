@@ -2,7 +2,7 @@
 
 use crate::args::Frame;
 use anyhow::{Context, Result, bail};
-use fixel_bake::Baked;
+use fixel_bake::{BakeError, Baked};
 use fixel_scene::Scene;
 use std::path::Path;
 
@@ -16,22 +16,32 @@ pub struct Input {
 }
 
 impl Input {
+    /// What is wrong with the scene as a whole, with its file.
+    pub fn refused(&self, what: &str) -> anyhow::Error {
+        self.scene.error(None, what).into()
+    }
+
+    /// Why the scene cannot be baked, with file and line.
+    fn placed(&self, error: &BakeError) -> anyhow::Error {
+        self.scene.error(error.element, &error.to_string()).into()
+    }
+
     /// The blob: the file's own, or made now.
-    pub fn bake(self) -> Result<Baked> {
-        match self.baked {
+    pub fn bake(mut self) -> Result<Baked> {
+        match self.baked.take() {
             Some(baked) => Ok(baked),
-            None => Ok(fixel_bake::bake(&self.scene)?),
+            None => fixel_bake::bake(&self.scene).map_err(|error| self.placed(&error)),
         }
     }
 
     /// The same, with what the ray caster needs.
-    pub fn bake_for_rays(self) -> Result<Baked> {
-        match self.baked {
-            Some(baked) if !baked.scene()?.has_rays() => {
-                bail!("it is not baked for rays; bake it with --ray")
+    pub fn bake_for_rays(mut self) -> Result<Baked> {
+        match self.baked.take() {
+            Some(baked) if baked.scene()?.has_rays() => Ok(baked),
+            Some(_) => {
+                Err(self.refused("is not baked for rays; expected one made by fixel bake --ray"))
             }
-            Some(baked) => Ok(baked),
-            None => Ok(fixel_bake::bake_for_rays(&self.scene)?),
+            None => fixel_bake::bake_for_rays(&self.scene).map_err(|error| self.placed(&error)),
         }
     }
 }
@@ -46,7 +56,8 @@ pub fn load(path: &Path) -> Result<Input> {
         let name = || path.display().to_string();
         let bytes = std::fs::read(path).with_context(name)?;
         let baked = Baked::from_bytes(&bytes).with_context(name)?;
-        let scene = fixel_bake::unbake(&baked.scene()?);
+        let mut scene = fixel_bake::unbake(&baked.scene()?);
+        scene.source.file = path.to_owned();
         return Ok(Input {
             scene,
             baked: Some(baked),

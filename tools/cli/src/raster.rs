@@ -2,7 +2,7 @@
 //! triangles or by rays, and hands back what the core drew as plain arrays.
 
 use crate::input::Input;
-use anyhow::{Result, bail};
+use anyhow::Result;
 use fixel_reference::Frame;
 use serde_json::{Map, Value, json};
 
@@ -34,23 +34,27 @@ pub struct Rendered {
 
 /// Renders a scene with the core.
 pub fn render(input: Input, options: Options) -> Result<Rendered> {
+    let asked = format!("{}x{}", options.width, options.height);
+    let most = 2048;
+    let too_large = input.refused(&format!(
+        "{asked} pixels, or their samples, are too many; expected at most {most}x{most}"
+    ));
     let baked = if options.rays {
         input.bake_for_rays()?
     } else {
         input.bake()?
     };
     let scene = baked.scene()?;
-    let most = 2048;
-    let (Ok(width), Ok(height)) = (u16::try_from(options.width), u16::try_from(options.height))
-    else {
-        bail!(
-            "{}x{} pixels; at most {most}x{most}",
-            options.width,
-            options.height
-        );
+    let size = [options.width, options.height].map(u16::try_from);
+    let [Ok(width), Ok(height)] = size else {
+        return Err(too_large);
     };
-    if width > most || height > most {
-        bail!("{width}x{height} pixels; at most {most}x{most}");
+    let (columns, rows) = scene.output().frame_size((width, height));
+    if [width, height, columns, rows]
+        .into_iter()
+        .any(|side| side > most)
+    {
+        return Err(too_large);
     }
     let core_options = fixel_host::Options {
         width,
@@ -58,10 +62,6 @@ pub fn render(input: Input, options: Options) -> Result<Rendered> {
         frame: options.frame,
         band_rows: options.bands.map(|rows| rows.min(most.into()) as u16),
     };
-    let (columns, rows) = scene.output().frame_size((width, height));
-    if columns > most || rows > most {
-        bail!("{width}x{height} pixels are {columns}x{rows} samples; at most {most}x{most}");
-    }
     let draw = if options.rays {
         fixel_host::ray_frame
     } else {

@@ -3,7 +3,7 @@
 use crate::args::{Destination, Renderer};
 use crate::input::Input;
 use crate::{args, input, output, raster, reference};
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use clap::{CommandFactory, error::ErrorKind};
 use fixel_scene::Scene;
 use serde_json::{Map, Value, json};
@@ -133,8 +133,7 @@ fn draw(args: &args::Render, input: Input, at: fixel_reference::Options) -> Resu
                 frame: at.frame,
                 bands: args.bands,
             };
-            let rendered =
-                raster::render(input, options).with_context(|| args.scene.display().to_string())?;
+            let rendered = raster::render(input, options)?;
             let frame = rendered.frame;
             Ok(Picture {
                 rgb: rendered.picture,

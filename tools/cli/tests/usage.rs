@@ -57,6 +57,41 @@ fn a_bad_scene_is_one_line_that_names_it() {
     );
 }
 
+/// What only the baker sees has its place in the file too.
+#[test]
+fn what_cannot_be_baked_is_told_with_its_line() {
+    let folder = Folder::new();
+    let actor = "[[actor]]\nmesh = \"square.obj\"\n";
+    let camera = "[camera]\nposition = [0, 0, 5]\nclipping_range = [1, 9]\n";
+    let far =
+        "[[light]]\nkind = \"ambient\"\n[[light]]\nkind = \"point\"\nposition = [1e9, 0, 0]\n";
+    let glass = "[[material]]\nopacity = 0.5\n";
+    for (text, wanted) in [
+        (
+            format!("{actor}{camera}{far}"),
+            "scene.toml:8: light.position is 1000000000, out of range; expected within 32",
+        ),
+        (
+            format!("{actor}{glass}{actor}representation = \"points\"\n"),
+            "scene.toml:5: actor `actor 1`: lines or points of a material of opacity 0.5",
+        ),
+    ] {
+        folder.write("scene.toml", &text);
+        for command in [
+            "render",
+            "compare --json -",
+            "bake -o a.fxl",
+            "animate --frames 2 -o a.gif",
+        ] {
+            let line = folder.fixel(&format!("{command} scene.toml")).fails();
+            assert!(
+                line.starts_with(&format!("fixel: {wanted}")),
+                "{command}: {line}"
+            );
+        }
+    }
+}
+
 #[test]
 fn what_is_not_there_yet_says_so() {
     let folder = Folder::new();

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::description::{
     Actor, Animation, Background, ColourFormat, Display, Light, LightKind, Material, Palette, Ray,
-    Scene, Stereo,
+    Scene, Source, Stereo,
 };
 use crate::error::Error;
 use crate::framing::{self, Bounds};
@@ -84,5 +84,9 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
         animation: Animation::default(),
         palette: Palette::default(),
         ray: Ray::default(),
+        source: Source {
+            file: path.to_owned(),
+            ..Source::default()
+        },
     })
 }

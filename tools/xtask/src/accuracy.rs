@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use fixel_bake::BakeError;
 use fixel_reference::Report;
 use fixel_scene::{ColourFormat, Representation, Scene};
 use serde_json::{Map, Value, json};
@@ -119,8 +118,8 @@ fn report(scene: &Scene, renderer: Renderer) -> Result<Report> {
         Renderer::Raster => fixel_bake::bake(scene),
         Renderer::Ray => fixel_bake::bake_for_rays(scene),
     };
-    let baked = baked.map_err(|error| match error {
-        BakeError::NotYet { .. } => Problem::Missing(error.to_string()),
+    let baked = baked.map_err(|error| match error.problem {
+        fixel_bake::Problem::NotYet { .. } => Problem::Missing(error.to_string()),
         _ => Problem::Failed(error.to_string()),
     })?;
     let core = fixel::Scene::parse(baked.bytes()).map_err(|error| error.to_string())?;
@@ -260,8 +259,10 @@ pub fn markdown(figures: &Value) -> String {
             ("depth, max of 65535", ("depth_max_lsb", real)),
             ("within 1, %", ("depth_within_1_percent", real)),
             ("light, max of 255", ("level_max", real)),
-            ("colour, dB", ("rgb_psnr_true_db", real)),
-            ("with 8 bits a channel", ("rgb888_psnr_true_db", real)),
+            ("light within 2, %", ("level_within_2_percent", real)),
+            ("colour, dB", ("rgb_psnr_db", real)),
+            ("unquantised, dB", ("rgb_psnr_true_db", real)),
+            ("8 bits a channel, dB", ("rgb888_psnr_true_db", real)),
         ],
     );
     let ray = of(

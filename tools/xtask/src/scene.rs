@@ -3,8 +3,6 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use fixel_bake::BakeError;
-
 use crate::paths;
 use crate::problem::{Problem, Result};
 
@@ -112,16 +110,17 @@ pub fn bake(name: &str) -> Result<Baked> {
 
 /// The scene as bytes for flash.
 fn blob(source: &Path, for_rays: bool) -> Result<Vec<u8>> {
-    let fail = |error: &dyn std::fmt::Display| format!("{}: {error}", source.display());
     let scene = fixel_scene::load(source).map_err(|error| error.to_string())?;
+    let placed =
+        |error: &fixel_bake::BakeError| scene.error(error.element, &error.to_string()).to_string();
     let baked = if for_rays {
         fixel_bake::bake_for_rays(&scene)
     } else {
         fixel_bake::bake(&scene)
     };
-    let baked = baked.map_err(|error| match error {
-        BakeError::NotYet { .. } => Problem::Missing(fail(&error)),
-        _ => Problem::Failed(fail(&error)),
+    let baked = baked.map_err(|error| match error.problem {
+        fixel_bake::Problem::NotYet { .. } => Problem::Missing(placed(&error)),
+        _ => Problem::Failed(placed(&error)),
     })?;
     Ok(baked.bytes().to_vec())
 }

@@ -6,10 +6,10 @@ mod hierarchy;
 mod seen;
 
 use fixel::scene::{LightArea, Node, Optics, RaySettings, Shape};
-use fixel_scene::{Actor, Material, Primitive, Scene};
+use fixel_scene::{Actor, Element, Material, Primitive, Scene};
 use glam::{DMat3, DVec3, IVec3};
 
-use crate::BakeError;
+use crate::error::{BakeError, Problem, Spot};
 use crate::grid::Grid;
 use crate::instance::Instance;
 use crate::mesh::Parts;
@@ -61,11 +61,12 @@ pub(crate) fn rays(
         };
         rays.shapes.push(shape);
     }
-    for (light, number) in scene.lights.iter().zip(1..) {
+    for (number, light) in scene.lights.iter().enumerate() {
+        let spot = Spot::new(Element::Light(number), "light.edges");
         let mut area = LightArea::POINT;
         if let Some(edges) = light.edges {
             for (to, edge) in area.edges.iter_mut().zip(edges) {
-                *to = units.vector(&format!("light {number}: edges"), DVec3::from(edge))?;
+                *to = units.vector(spot, DVec3::from(edge))?;
             }
         }
         rays.areas.push(area);
@@ -169,11 +170,12 @@ fn triangles(parts: &mut Parts, mesh: usize, nodes: &mut Vec<Node>) -> Result<Sh
     }
     let built = hierarchy::build(items, count);
     if !hierarchy::fits(&built.nodes) {
-        return Err(BakeError::TooMany {
+        let problem = Problem::TooMany {
             what: "boxes that a ray leaves behind",
             found: hierarchy::stack(&built.nodes),
             most: fixel::scene::layout::RAY_STACK,
-        });
+        };
+        return Err(problem.into());
     }
     let before = (parts.triangles.clone(), parts.face_normals.clone());
     let sources = parts.sources.triangles.clone();

@@ -5,7 +5,7 @@
 use fixel_reference::{Options, Truth, render};
 use fixel_scene::{
     Actor, Animation, Background, Camera, ColourFormat, Display, Light, LightKind, Material, Mesh,
-    Palette, Projection, Ray, Scene, Shading, Stereo,
+    Palette, Projection, Ray, Scene, Shading, Source, Stereo,
 };
 
 /// Distance of the plane z = 0 from the eye in [`parallel`] and [`perspective`].
@@ -60,6 +60,7 @@ fn scene(width: u32, height: u32, projection: Projection) -> Scene {
         animation: Animation::default(),
         palette: Palette::default(),
         ray: Ray::default(),
+        source: Source::default(),
     }
 }
 

@@ -15,6 +15,7 @@ mod light;
 mod material;
 mod palette;
 mod ray;
+mod source;
 
 pub use actor::*;
 pub use animation::*;
@@ -25,6 +26,7 @@ pub use light::*;
 pub use material::*;
 pub use palette::*;
 pub use ray::*;
+pub use source::*;
 
 use crate::texture::Texture;
 
@@ -63,6 +65,8 @@ pub struct Scene {
     pub palette: Palette,
     /// How rays are cast.
     pub ray: Ray,
+    /// Where it comes from.
+    pub source: Source,
 }
 
 impl Scene {

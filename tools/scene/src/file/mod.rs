@@ -22,14 +22,15 @@ mod tests;
 mod texture;
 mod viewport;
 
-use std::ops::RangeInclusive;
+use std::collections::HashMap;
+use std::ops::{Range, RangeInclusive};
 use std::path::Path;
 
 use glam::DVec3;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::description::{Camera, Light, LightKind, Material, Scene, Target};
+use crate::description::{Camera, Element, Light, LightKind, Material, Scene, Target};
 use crate::error::Error;
 use crate::framing::Bounds;
 use crate::texture::Texture;
@@ -126,7 +127,44 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
         animation,
         palette,
         ray,
+        source: crate::description::Source {
+            file: file.to_owned(),
+            lines: lines(&root)?,
+        },
     })
+}
+
+/// The line at which each table begins.
+fn lines(root: &Table<'_, '_>) -> Result<HashMap<Element, usize>, Error> {
+    let mut lines = HashMap::new();
+    let line = |span: Range<usize>| root.source.place(span.start).0;
+    for (name, element) in [
+        ("camera", Element::Camera),
+        ("animation", Element::Animation),
+    ] {
+        if let Some(value) = root.get(name) {
+            lines.insert(element, line(value.span()));
+        }
+    }
+    let element = |kind: usize| [Element::Viewport, Element::Material, Element::Light][kind];
+    for (kind, name) in ["viewport", "material", "light"].into_iter().enumerate() {
+        let ambient = |table: &DeTable<'_>| {
+            let kind = table.get("kind").map(|kind| kind.get_ref());
+            matches!(kind, Some(DeValue::String(kind)) if kind == "ambient")
+        };
+        let tables = many(root, name)?.into_iter();
+        let tables = tables.filter(|(table, _)| name != "light" || !ambient(table));
+        for (number, (_, header)) in tables.enumerate() {
+            lines.insert(element(kind)(number), line(header));
+        }
+    }
+    let mut actors = 0..;
+    for name in ["actor", "line", "marker", "text"] {
+        for ((_, header), actor) in many(root, name)?.into_iter().zip(&mut actors) {
+            lines.insert(Element::Actor(actor), line(header));
+        }
+    }
+    Ok(lines)
 }
 
 fn syntax_error(source: &Source<'_>, error: &toml::de::Error) -> Error {
@@ -158,7 +196,7 @@ fn one<'t, 'i>(
 fn many<'t, 'i>(
     table: &Table<'t, 'i>,
     name: &'static str,
-) -> Result<Vec<(&'t DeTable<'i>, std::ops::Range<usize>)>, Error> {
+) -> Result<Vec<(&'t DeTable<'i>, Range<usize>)>, Error> {
     let wrong = || {
         table.error(
             name,
