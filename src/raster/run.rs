@@ -17,8 +17,9 @@ pub const RUN_FRACTION: u32 = 14;
 
 /// What is done with runs. Not a closure, because that is not inlined where it is called.
 pub trait Shade<const A: usize> {
-    /// Draws one.
-    fn run(&self, run: Run<'_, A>);
+    /// Draws one from its first pixel on; gives how many pixels it drew, at least one. The
+    /// others come again.
+    fn run(&self, run: Run<'_, A>) -> usize;
 }
 
 /// Pixels side by side, with what is drawn there.
@@ -40,9 +41,22 @@ pub struct Run<'t, const A: usize> {
     pub bend: Values<A>,
     /// Change of the first two from row to row at the first pixel, where asked for.
     pub down: [i32; 2],
+    /// How that changes from pixel to pixel.
+    pub down_step: [i32; 2],
 }
 
 impl<const A: usize> Run<'_, A> {
+    /// Leaves out the pixels after the first `count`.
+    #[inline(always)]
+    pub fn cut(self, count: usize) -> Self {
+        let (len, depths) = (self.indices.len(), self.depths.len());
+        Run {
+            indices: self.indices.get_mut(..count.min(len)).unwrap_or_default(),
+            depths: self.depths.get_mut(..count.min(depths)).unwrap_or_default(),
+            ..self
+        }
+    }
+
     /// The same run.
     pub fn again(&mut self) -> Run<'_, A> {
         Run {

@@ -91,6 +91,7 @@ fn sliver<const A: usize>(
             step: [0; A],
             bend: [0; A],
             down: [0; 2],
+            down_step: [0; 2],
         });
     }
 }

@@ -134,6 +134,7 @@ impl<const A: usize> Surface<A> {
         } = span;
         let z = &self.depth.z;
         let mut from = self.here(left - column, &Here::default());
+        let (mut down, mut down_step) = (self.down(&from), [0; 2]);
         loop {
             let last = indices.len() as i32 - 1;
             let pixels = self.run(&from).min(last);
@@ -141,14 +142,21 @@ impl<const A: usize> Surface<A> {
             let [step, bend] = self.steps(&from, &to, pixels);
             // The last run has its last pixel too.
             let count = if pixels == last { last + 1 } else { pixels };
-            let Some((here, rest)) = indices.split_at_mut_checked(count as usize) else {
+            // The last run goes on as the one before: its end is no run's beginning.
+            let next_down = if pixels == last {
+                down
+            } else {
+                let next = self.down(&to);
+                down_step = self.down_step(down, next, pixels);
+                next
+            };
+            let (Some(here), Some(here_depths)) = (
+                indices.get_mut(..count as usize),
+                depths.get_mut(..count as usize),
+            ) else {
                 return;
             };
-            let Some((here_depths, rest_depths)) = depths.split_at_mut_checked(count as usize)
-            else {
-                return;
-            };
-            shade.run(Run {
+            let drawn = shade.run(Run {
                 indices: here,
                 depths: here_depths,
                 place: [left, row],
@@ -156,16 +164,19 @@ impl<const A: usize> Surface<A> {
                 from: from.values,
                 step,
                 bend,
-                down: if self.kind.footprint {
-                    self.down(&from)
-                } else {
-                    [0; 2]
-                },
+                down,
+                down_step,
             });
-            if rest.is_empty() {
-                return;
+            (indices, depths) = match (indices.get_mut(drawn..), depths.get_mut(drawn..)) {
+                (Some(rest), Some(rest_depths)) if !rest.is_empty() => (rest, rest_depths),
+                _ => return,
+            };
+            left += drawn as i32;
+            (from, down) = (to, next_down);
+            if drawn as i32 != pixels {
+                from = self.here(left - column, &Here::default());
+                down = self.down(&from);
             }
-            (indices, depths, left, from) = (rest, rest_depths, left + count, to);
         }
     }
 
@@ -214,10 +225,27 @@ impl<const A: usize> Surface<A> {
         }
     }
 
-    /// The change of the first two from row to row: (P' - a N') / N for the
-    /// attribute a = P / N.
+    /// How the change from row to row changes from pixel to pixel between two that are
+    /// `pixels` apart.
+    #[inline(always)]
+    fn down_step(&self, from: [i32; 2], to: [i32; 2], pixels: i32) -> [i32; 2] {
+        if !self.kind.footprint {
+            return [0; 2];
+        }
+        let over = OVER.get(pixels as usize).copied().unwrap_or(0);
+        let part = |from: i32, to: i32| mul_high(to.wrapping_sub(from), over) << 1;
+        let ([a, b], [c, d]) = (from, to);
+        [part(a, c), part(b, d)]
+    }
+
+    /// The change of the first two from row to row, where asked for: (P' - a N') / N for
+    /// the attribute a = P / N.
+    #[inline(always)]
     fn down(&self, here: &Here<A>) -> [i32; 2] {
         let mut down = [0; 2];
+        if !self.kind.footprint {
+            return down;
+        }
         let all = self.attributes.iter().zip(self.shifts).zip(here.values);
         if !self.perspective {
             for (((attribute, _), _), down) in all.zip(&mut down) {

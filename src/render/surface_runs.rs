@@ -65,10 +65,10 @@ impl<'a, P: Paint> Runs<'a, P> {
         shades: &[u8; TEXTURE_SHADES],
         sampler: &Sampler<'_>,
         run: Run<'_, A>,
-    ) {
+    ) -> usize {
         let ([left, row], face) = (run.place, self.face.get());
-        let path = sampler.path(&run);
-        run.draw::<A>(true, |number, values, _| {
+        let (path, count) = sampler.path(&run);
+        run.cut(count).draw::<A>(true, |number, values, _| {
             let at = path.places.at(number);
             let pixel = Pixel {
                 lookup: Lookup::Texel(shades, sampler.nearest(&path, at)?),
@@ -78,6 +78,7 @@ impl<'a, P: Paint> Runs<'a, P> {
             };
             Some(self.paint.surface(&pixel, self.ids))
         });
+        count
     }
 }
 
@@ -90,13 +91,13 @@ pub(super) struct Texels<'a, P> {
 
 impl<const A: usize, P: Paint> Shade<A> for Texels<'_, P> {
     #[inline(always)]
-    fn run(&self, run: Run<'_, A>) {
-        let Some(strip) = self.sampler.strip(&run) else {
+    fn run(&self, run: Run<'_, A>) -> usize {
+        let Some((strip, count)) = self.sampler.strip(&run) else {
             return self.runs.path(self.shades, self.sampler, run);
         };
         let ([left, row], face) = (run.place, self.runs.face.get());
         let (Runs { paint, ids, .. }, shades, places) = (&self.runs, self.shades, strip.places);
-        strip.draw(run, move |number, level, base| {
+        strip.draw(run.cut(count), move |number, level, base| {
             let pixel = Pixel {
                 lookup: Lookup::Texel(shades, base),
                 lit: if A > 2 { [level as u16; 3] } else { face.body },
@@ -105,6 +106,7 @@ impl<const A: usize, P: Paint> Shade<A> for Texels<'_, P> {
             };
             paint.surface(&pixel, *ids)
         });
+        count
     }
 }
 
@@ -118,7 +120,7 @@ pub(super) struct Others<'a, P> {
 
 impl<P: Paint> Shade<MOST_ATTRIBUTES> for Others<'_, P> {
     #[inline(never)]
-    fn run(&self, mut run: Run<'_, MOST_ATTRIBUTES>) {
+    fn run(&self, mut run: Run<'_, MOST_ATTRIBUTES>) -> usize {
         match self.through {
             Through::Nothing => self.whole(run),
             Through::Door(door) => door.shade(&mut run, |run| self.whole(run)),
@@ -130,8 +132,9 @@ impl<P: Paint> Shade<MOST_ATTRIBUTES> for Others<'_, P> {
 impl<P: Paint> Others<'_, P> {
     /// Draws a run of pixels.
     #[inline(never)]
-    fn whole(&self, run: Run<'_, MOST_ATTRIBUTES>) {
+    fn whole(&self, run: Run<'_, MOST_ATTRIBUTES>) -> usize {
         let ([left, row], face) = (run.place, self.runs.face.get());
+        let pixels = run.indices.len();
         let Runs {
             paint,
             ids,
@@ -151,63 +154,76 @@ impl<P: Paint> Others<'_, P> {
         match (self.sampler, self.way) {
             (Some(sampler), Way::Texels(shades)) => self.runs.path(shades, sampler, run),
             (Some(sampler), Way::Colours(colours)) => {
-                let path = sampler.path(&run);
-                run.draw::<MOST_ATTRIBUTES>(true, |number, values, _| {
-                    let at = path.places.at(number);
-                    let texel = sampler.colour(&path, at)?;
-                    let lit = on_texel(surface.light(values, face), texel);
-                    index(Lookup::Colours(colours), number, lit, at)
-                });
+                let (path, count) = sampler.path(&run);
+                run.cut(count)
+                    .draw::<MOST_ATTRIBUTES>(true, |number, values, _| {
+                        let at = path.places.at(number);
+                        let texel = sampler.colour(&path, at)?;
+                        let lit = on_texel(surface.light(values, face), texel);
+                        index(Lookup::Colours(colours), number, lit, at)
+                    });
+                count
             }
             (_, Way::Colours(colours)) => {
                 run.draw::<9>(true, |number, values, _| {
                     let Parts { body, gloss } = surface.light(values, face);
                     index(Lookup::Colours(colours), number, sum(body, gloss), [0; 2])
                 });
+                pixels
             }
             (_, Way::Levels(shades)) => {
                 run.draw::<9>(true, |number, values, _| {
                     let Parts { body, gloss } = surface.light(values, face);
                     index(Lookup::Levels(shades), number, sum(body, gloss), [0; 2])
                 });
+                pixels
             }
-            (None, Way::Texels(_)) => {}
+            (None, Way::Texels(_)) => pixels,
         }
     }
 
     /// Mixes a run of pixels with what is behind them, which stays as near as it is.
     #[inline(never)]
-    fn blend(&self, blend: &Blend<'_>, haze: Option<&Haze>, run: Run<'_, MOST_ATTRIBUTES>) {
+    fn blend(
+        &self,
+        blend: &Blend<'_>,
+        haze: Option<&Haze>,
+        run: Run<'_, MOST_ATTRIBUTES>,
+    ) -> usize {
+        let pixels = run.indices.len();
         // Blended materials go by colour.
         let Way::Colours(colours) = self.way else {
-            return;
+            return pixels;
         };
         let ([left, row], face) = (run.place, self.runs.face.get());
         let textured = self.sampler.map(|sampler| (sampler, sampler.path(&run)));
+        let count = textured.as_ref().map_or(pixels, |(_, (_, count))| *count);
         let ((z, dz), mut fog_row) = (run.depth, 0);
-        run.draw::<MOST_ATTRIBUTES>(false, |number, values, behind| {
-            let light = self.runs.surface.light(values, face);
-            let (lit, texel) = match &textured {
-                None => (sum(light.body, light.gloss), [0; 2]),
-                Some((sampler, path)) => {
-                    let at = path.places.at(number);
-                    (on_texel(light, sampler.colour(path, at)?), at)
-                }
-            };
-            let lit = match haze {
-                Some(haze) => {
-                    let depth = z.wrapping_add_signed(dz.wrapping_mul(number)) >> 16;
-                    haze.over(lit, depth as Depth, &mut fog_row)
-                }
-                None => lit,
-            };
-            let pixel = Pixel {
-                lookup: Lookup::Colours(colours),
-                lit,
-                place: [left + number, row],
-                texel,
-            };
-            Some(self.runs.paint.blend(&pixel, behind, blend))
-        });
+        run.cut(count)
+            .draw::<MOST_ATTRIBUTES>(false, |number, values, behind| {
+                let light = self.runs.surface.light(values, face);
+                let (lit, texel) = match &textured {
+                    None => (sum(light.body, light.gloss), [0; 2]),
+                    Some((sampler, (path, _))) => {
+                        let at = path.places.at(number);
+                        (on_texel(light, sampler.colour(path, at)?), at)
+                    }
+                };
+                let lit = match haze {
+                    Some(haze) => {
+                        let depth = z.wrapping_add_signed(dz.wrapping_mul(number)) >> 16;
+                        haze.over(lit, depth as Depth, &mut fog_row)
+                    }
+                    None => lit,
+                };
+                let pixel = Pixel {
+                    lookup: Lookup::Colours(colours),
+                    lit,
+                    place: [left + number, row],
+                    texel,
+                };
+                Some(self.runs.paint.blend(&pixel, behind, blend))
+            });
+        count
     }
 }

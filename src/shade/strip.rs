@@ -18,16 +18,18 @@ pub struct Strip<'a> {
 
 impl<'a> Sampler<'a> {
     /// The way of a run whose first two attributes are texture coordinates; `None` if
-    /// it goes over an edge at which the texture does not go on by itself.
+    /// it goes over an edge at which the texture does not go on by itself. And how many of
+    /// its pixels show one copy of the picture.
     #[inline(always)]
-    pub fn strip<const A: usize>(&self, run: &Run<'_, A>) -> Option<Strip<'a>> {
+    pub fn strip<const A: usize>(&self, run: &Run<'_, A>) -> Option<(Strip<'a>, usize)> {
         let places = self.places(run);
-        let copy = self.copy(places.step, run.down);
+        let (copy, count) = self.copy(run, &places);
         let mut way = places;
         if self.texture.wrap != Wrap::Repeat {
-            way = self.within(&places, run.indices.len())?;
+            way = self.within(&places, count)?;
         }
-        Some(Strip { copy, way, places })
+        let copy = *copy;
+        Some((Strip { copy, way, places }, count))
     }
 
     /// Places as in the first period, if all are in one, and in the first if what is

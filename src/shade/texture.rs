@@ -93,6 +93,24 @@ impl<const N: usize> Places<N> {
     }
 }
 
+/// How far it is from pixel to pixel, or from row to row.
+struct Steps {
+    /// At the first pixel.
+    at: [i32; 2],
+    /// The change a pixel.
+    step: [i32; 2],
+}
+
+impl Steps {
+    /// The larger one at a pixel.
+    #[inline(always)]
+    fn most(&self, pixel: i32) -> u32 {
+        let ([a, b], [da, db]) = (self.at, self.step);
+        let at = |at: i32, step: i32| at.wrapping_add(step.wrapping_mul(pixel)).unsigned_abs();
+        at(a, da).max(at(b, db))
+    }
+}
+
 /// A run's way through one copy of a texture.
 #[derive(Clone, Copy, Debug)]
 pub struct Path<'a> {
@@ -139,16 +157,18 @@ impl<'a> Sampler<'a> {
         }
     }
 
-    /// The way of a run, whose first two attributes are texture coordinates.
-    pub fn path<const A: usize>(&self, run: &Run<'_, A>) -> Path<'a> {
+    /// The way of a run, whose first two attributes are texture coordinates, and how many
+    /// of its pixels show one copy of the picture.
+    pub fn path<const A: usize>(&self, run: &Run<'_, A>) -> (Path<'a>, usize) {
         let places = self.places(run);
-        let copy = self.copy(places.step, run.down);
+        let (copy, count) = self.copy(run, &places);
         let ([w, h], [cw, ch]) = (self.texture.size, copy.size);
-        Path {
-            copy,
+        let path = Path {
+            copy: *copy,
             down: [i32::from(w) - cw as i32, i32::from(h) - ch as i32].map(|d| d & 31),
             places,
-        }
+        };
+        (path, count)
     }
 
     /// The places of a run's pixels.
@@ -230,27 +250,52 @@ impl<'a> Sampler<'a> {
         [moved(u, across), moved(v, down)]
     }
 
-    /// The copy whose texels are nearest to a pixel's size: number
-    /// `floor(log2(r) + 1/2)`, with r the most texels that a pixel goes along one
-    /// axis of picture and screen.
+    /// The copy whose texels are nearest to the first pixel's size, and how many pixels
+    /// of the run show it: number `floor(log2(r) + 1/2)`, with r the most texels that a
+    /// pixel goes along one axis of picture and screen.
     #[inline(always)]
-    pub(super) fn copy(&self, step: [i32; 2], down: [i32; 2]) -> Copied<'a> {
+    pub(super) fn copy<const A: usize>(
+        &self,
+        run: &Run<'_, A>,
+        places: &Places,
+    ) -> (&Copied<'a>, usize) {
+        let pixels = run.indices.len();
+        let [first, ..] = &self.copies;
+        if self.texture.copies <= 1 {
+            return (first, pixels);
+        }
+        // Along the row, at a pixel's centre.
+        let ([du, dv], [bu, bv]) = (places.step, places.bend);
+        let across = Steps {
+            at: [du.wrapping_sub(bu >> 1), dv.wrapping_sub(bv >> 1)],
+            step: [bu, bv],
+        };
+        let down = Steps {
+            at: self.scaled(run.down),
+            step: self.scaled(run.down_step),
+        };
+        let number = |pixel: i32| self.number(across.most(pixel).max(down.most(pixel)));
+        let here = number(0);
+        let copy = self.copies.get(here).unwrap_or(first);
+        let last = pixels.saturating_sub(1) as i32;
+        if number(last) == here {
+            return (copy, pixels);
+        }
+        let other = (1..last).find(|pixel| number(*pixel) != here);
+        (copy, other.unwrap_or(last) as usize)
+    }
+
+    /// The number of the copy for a pixel of `most` texels, 16 fractional bits.
+    #[inline(always)]
+    fn number(&self, most: u32) -> usize {
         // sqrt(2) texels.
         const LEAST: u32 = 92682;
-        let [first, ..] = self.copies;
         let last = u32::from(self.texture.copies).saturating_sub(1);
-        if last == 0 {
-            return first;
-        }
-        let down = self.scaled(down);
-        let [a, b] = step.map(i32::unsigned_abs);
-        let [c, d] = down.map(i32::unsigned_abs);
-        let most = a.max(b).max(c).max(d);
         let mut copy = 0;
         while copy < last && (most >> copy.min(31)) >= LEAST {
             copy += 1;
         }
-        self.copies.get(copy as usize).copied().unwrap_or(first)
+        copy as usize
     }
 
     /// The base colour at a place of the picture; `None` where nothing is seen.

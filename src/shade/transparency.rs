@@ -26,7 +26,11 @@ impl ScreenDoor {
     /// Shades the pixels of a run that are the surface's. For as long as it takes, the
     /// others are as near as can be, so that no kernel draws them and none knows of
     /// patterns.
-    pub fn shade<const A: usize>(self, run: &mut Run<'_, A>, shade: impl FnOnce(Run<'_, A>)) {
+    pub fn shade<const A: usize>(
+        self,
+        run: &mut Run<'_, A>,
+        shade: impl FnOnce(Run<'_, A>) -> usize,
+    ) -> usize {
         const NEAREST: Depth = Depth::MAX;
         let mut kept = [0; LONGEST_RUN];
         let [left, row] = run.place;
@@ -35,11 +39,12 @@ impl ScreenDoor {
         for ((depth, kept), _) in pixels.filter(|(_, column)| hidden(*column)) {
             *kept = core::mem::replace(depth, NEAREST);
         }
-        shade(run.again());
+        let drawn = shade(run.again());
         let pixels = run.depths.iter_mut().zip(kept).zip(left..);
         for ((depth, kept), _) in pixels.filter(|(_, column)| hidden(*column)) {
             *depth = kept;
         }
+        drawn
     }
 }
 

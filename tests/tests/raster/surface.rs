@@ -21,14 +21,16 @@ struct Seen {
     reach: [f64; COUNT],
 }
 
-struct Seeing(RefCell<Vec<Seen>>);
+/// Draws at most so many pixels of a run.
+struct Seeing(RefCell<Vec<Seen>>, usize);
 
 impl Shade<MOST_ATTRIBUTES> for Seeing {
-    fn run(&self, run: Run<'_, MOST_ATTRIBUTES>) {
+    fn run(&self, run: Run<'_, MOST_ATTRIBUTES>) -> usize {
         let one = f64::from(1 << RUN_FRACTION);
         let length = run.indices.len();
         let [column, row] = run.place;
-        for number in 0..length {
+        let drawn = length.min(self.1);
+        for number in 0..drawn {
             let all: [[f64; 3]; COUNT] = std::array::from_fn(|i| {
                 [run.from[i], run.step[i], run.bend[i]].map(|v| f64::from(v) / one)
             });
@@ -39,10 +41,15 @@ impl Shade<MOST_ATTRIBUTES> for Seeing {
                 reach: all.map(|[_, step, _]| step.abs() * length as f64),
             });
         }
+        drawn
     }
 }
 
-fn drawn(vertices: &[ScreenVertex; 3], corners: [Corner<MOST_ATTRIBUTES>; 3]) -> Vec<Seen> {
+fn drawn(
+    vertices: &[ScreenVertex; 3],
+    corners: [Corner<MOST_ATTRIBUTES>; 3],
+    most: usize,
+) -> Vec<Seen> {
     let pixels = usize::from(SIZE.0) * usize::from(SIZE.1);
     let (mut index, mut depth) = (vec![0; pixels], vec![0; pixels]);
     let mut band = Band::new(SIZE.0, &mut index, &mut depth).expect("a band");
@@ -53,7 +60,7 @@ fn drawn(vertices: &[ScreenVertex; 3], corners: [Corner<MOST_ATTRIBUTES>; 3]) ->
         footprint: false,
         outlined: false,
     };
-    let seen = Seeing(RefCell::new(Vec::new()));
+    let seen = Seeing(RefCell::new(Vec::new()), most);
     draw_surface(
         &mut target,
         vertices.each_ref(),
@@ -114,6 +121,7 @@ proptest! {
         places in prop::array::uniform3(corner()),
         distances in distances(),
         values in prop::array::uniform3(prop::array::uniform3(-(1 << 15)..=1 << 15)),
+        most in prop_oneof![Just(usize::MAX), 1..9_usize],
     ) {
         let vertices = places.map(|(x, y)| raw(x, y, 30_000 << 4, 0));
         let corner = |i: usize| {
@@ -124,7 +132,10 @@ proptest! {
         let corners = [corner(0), corner(1), corner(2)];
         let slender = slenderness(&vertices);
         let nearest = f64::from(*distances.iter().min().expect("three"));
-        for seen in drawn(&vertices, corners) {
+        let all = drawn(&vertices, corners, most);
+        let places = |all: &[Seen]| all.iter().map(|seen| seen.place).collect::<Vec<_>>();
+        prop_assert_eq!(places(&all), places(&drawn(&vertices, corners, usize::MAX)));
+        for seen in all {
             let (area, weights) = weights(&vertices, seen.place);
             let near: [f64; 3] = std::array::from_fn(|i| weights[i] / f64::from(distances[i]));
             let whole: f64 = near.iter().sum();
