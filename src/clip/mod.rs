@@ -116,12 +116,15 @@ pub fn clip(view: &ActorView, triangle: [ClipVertex; 3]) -> Polygon {
     polygon
 }
 
-/// The part of a line between all planes, projected.
-pub fn clip_line(view: &ActorView, line: [ClipVertex; 2]) -> Option<[ScreenVertex; 2]> {
-    let [mut a, mut b] = line.map(|vertex| Point {
-        vertex,
-        weights: [0; 3],
-    });
+/// The part of a line between all planes, projected, and the weights of the line's ends
+/// where it ends, as in [`Cut`]; the third one is 0.
+pub fn clip_line(
+    view: &ActorView,
+    [a, b]: [ClipVertex; 2],
+) -> Option<[(ScreenVertex, [i32; 3]); 2]> {
+    const ONE: i32 = 1 << WEIGHT_BITS;
+    let point = |vertex, weights| Point { vertex, weights };
+    let (mut a, mut b) = (point(a, [ONE, 0, 0]), point(b, [0, ONE, 0]));
     for plane in PLANES {
         let inside = [&a, &b].map(|p| signed_distance(view, plane, &p.vertex) >= 0);
         match inside {
@@ -131,7 +134,7 @@ pub fn clip_line(view: &ActorView, line: [ClipVertex; 2]) -> Option<[ScreenVerte
             [false, true] => a = crossing(view, plane, &b, &a),
         }
     }
-    Some([a, b].map(|p| project(view, &held(view, &p.vertex))))
+    Some([a, b].map(|p| (project(view, &held(view, &p.vertex)), p.weights)))
 }
 
 /// How far inside a plane a vertex is, in units of that plane.

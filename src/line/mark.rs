@@ -3,7 +3,6 @@
 use super::DepthRule;
 use crate::frame::Target;
 use crate::math::SUBPX_BITS;
-use crate::raster::Fill;
 use crate::vertex::ScreenVertex;
 
 /// A picture of single bits and where it stands against its point.
@@ -25,20 +24,20 @@ pub(super) fn row_bytes(width: u16) -> usize {
     usize::from(width).div_ceil(8)
 }
 
-/// Draws a mark at a point, all of it at the point's depth and light level.
+/// Draws a mark at a point, all of it at the point's depth; `index` gets a pixel's column
+/// and row.
 pub fn draw_mark(
     target: &mut Target<'_>,
     point: &ScreenVertex,
     mark: &Mark<'_>,
     rule: &DepthRule,
-    fill: Fill<'_>,
+    mut index: impl FnMut([i32; 2]) -> Option<u8>,
 ) {
     const HALF_PIXEL_BITS: u32 = SUBPX_BITS - 1;
     let [ox, oy] = mark.offset.map(i32::from);
     let left = (point.x().to_bits() + (ox << HALF_PIXEL_BITS)) >> SUBPX_BITS;
     let top = (point.y().to_bits() + (oy << HALF_PIXEL_BITS)) >> SUBPX_BITS;
     let depth = rule.depth(point.z().to_bits() as i32, 4);
-    let index = fill.index(|| (usize::from(point.level().to_bits()) + 32) >> 6);
     let rows = mark.bits.chunks_exact(row_bytes(mark.width).max(1));
     for (y, row) in (top..top + i32::from(mark.height)).zip(rows) {
         if y < i32::from(target.top) {
@@ -51,7 +50,8 @@ pub fn draw_mark(
             let mut bits = *byte;
             while bits != 0 {
                 let ahead = bits.leading_zeros();
-                rule.put(target, [x + ahead as i32, y], depth, || index);
+                let place = [x + ahead as i32, y];
+                rule.put(target, place, depth, || index(place));
                 bits &= !(0x80 >> ahead);
             }
         }

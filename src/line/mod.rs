@@ -19,7 +19,7 @@
 //! (left).
 //!
 //! **Depth** is linear on the screen along the line's longer extent and held within
-//! that of the ends, plus a bias. The light level is interpolated in space.
+//! that of the ends, plus a bias. Light, a level or a colour, is interpolated in space.
 
 mod mark;
 mod pixel;
@@ -27,7 +27,7 @@ mod ramp;
 mod segment;
 
 pub use mark::{Mark, draw_mark};
-pub use segment::{Line, draw_line};
+pub use segment::{Line, draw_coloured_line, draw_line};
 
 /// How lines and marks meet the depth buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -31,6 +31,8 @@ struct Walk {
     length: Divider,
     /// Pixels along `major`, half-open.
     pixels: [i32; 2],
+    /// Whether it begins at the line's second end.
+    turned: bool,
 }
 
 /// Fractional bits of a depth on the way along a line.
@@ -40,14 +42,60 @@ const LEVEL_BITS: u32 = 16;
 /// In perspective, levels are worked out each so many pixels.
 const RUN_BITS: u32 = 3;
 
-/// Draws the part of a line that is in the target.
+/// Draws the part of a line that is in the target, by the light levels of its vertices.
 pub fn draw_line(target: &mut Target<'_>, line: &Line<'_>, rule: &DepthRule, fill: Fill<'_>) {
+    draw(target, line, rule, |walk, ends, lead| {
+        let levels = ends.map(|v| i32::from(v.level().to_bits()));
+        let mut levels = Levels::new(walk, ends, levels, line.perspective, lead);
+        move |n, _| fill.index(|| byte(levels.at(n)))
+    });
+}
+
+/// The same by the `colours` of its vertices, in 1/64 of a level; `index` gets a pixel's
+/// and its column and row.
+pub fn draw_coloured_line(
+    target: &mut Target<'_>,
+    line: &Line<'_>,
+    rule: &DepthRule,
+    colours: [[i32; 3]; 2],
+    mut index: impl FnMut([u16; 3], [i32; 2]) -> u8,
+) {
+    draw(target, line, rule, |walk, ends, lead| {
+        let [from, to] = walk.in_order(colours);
+        let channel = |c: i32, d: i32| Levels::new(walk, ends, [c, d], line.perspective, lead);
+        let ([r, g, b], [s, h, c]) = (from, to);
+        let mut channels = [channel(r, s), channel(g, h), channel(b, c)];
+        move |n, place| {
+            let lit = channels
+                .each_mut()
+                .map(|c| c.at(n).clamp(0, 255 << 6) as u16);
+            Some(index(lit, place))
+        }
+    });
+}
+
+/// A level in 1/64 as a table's index.
+#[inline(always)]
+fn byte(level: i32) -> usize {
+    ((level + (1 << 5)) >> 6).clamp(0, 255) as usize
+}
+
+/// Draws a line. `shade` gets the walk, the ends in its order and where along it its first
+/// pixel is; what it gives is asked for the index of pixel `n` at a column and row.
+#[inline(always)]
+fn draw<S: FnMut(i32, [i32; 2]) -> Option<u8>>(
+    target: &mut Target<'_>,
+    line: &Line<'_>,
+    rule: &DepthRule,
+    shade: impl FnOnce(&Walk, [&ScreenVertex; 2], i32) -> S,
+) {
     if !in_rows(target, line) {
         return;
     }
-    let Some((walk, ends)) = Walk::new(line) else {
+    let Some(walk) = Walk::new(line) else {
         return;
     };
+    let ends = walk.in_order(line.vertices);
     let [first, _] = walk.pixels;
     // Where the line's first pixel is, and the part of its pixels to draw.
     let lead = centre(first) - walk.from[0];
@@ -57,7 +105,7 @@ pub fn draw_line(target: &mut Target<'_>, line: &Line<'_>, rule: &DepthRule, fil
     }
     let depths = ends.map(|v| (v.z().to_bits() as i32) << (DEPTH_BITS - 4));
     let depth = Ramp::new(depths, &walk.length, lead);
-    let mut levels = Levels::new(&walk, ends, line.perspective, lead);
+    let mut shade = shade(&walk, ends, lead);
     let mut minor = Minor::new(&walk, begin, line.width);
     for along in begin..stop {
         let n = along - first;
@@ -68,7 +116,7 @@ pub fn draw_line(target: &mut Target<'_>, line: &Line<'_>, rule: &DepthRule, fil
             } else {
                 [across, along]
             };
-            rule.put(target, place, here, || fill.index(|| levels.at(n)));
+            rule.put(target, place, here, || shade(n, place));
         }
         minor.advance();
     }
@@ -104,21 +152,20 @@ fn diamond(place: [i32; 2]) -> Option<[i32; 2]> {
 }
 
 impl Walk {
-    /// The walk and the ends in its order; `None` if no pixel is on it.
-    fn new<'a>(line: &Line<'a>) -> Option<(Self, [&'a ScreenVertex; 2])> {
-        let [a, b] = line.vertices;
-        let [mut from, mut to] = [a, b].map(|v| [v.x().to_bits(), v.y().to_bits()]);
+    /// `None` if no pixel is on it.
+    fn new(line: &Line<'_>) -> Option<Self> {
+        let [mut from, mut to] = line.vertices.map(|v| [v.x().to_bits(), v.y().to_bits()]);
         let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
         let major = usize::from(dy.abs() > dx.abs());
         if major == 1 {
             from.reverse();
             to.reverse();
         }
-        let (mut ends, mut vertices) = (line.ends, [a, b]);
-        if to[0] < from[0] {
+        let mut ends = line.ends;
+        let turned = to[0] < from[0];
+        if turned {
             (from, to) = (to, from);
             ends.reverse();
-            vertices.reverse();
         }
         let mut pixels = [first_centre(from[0]), first_centre(to[0])];
         let [first, end] = &mut pixels;
@@ -143,8 +190,14 @@ impl Walk {
             to,
             length: Divider::new(to[0] - from[0]),
             pixels,
+            turned,
         };
-        (walk.pixels[0] < walk.pixels[1]).then_some((walk, vertices))
+        (walk.pixels[0] < walk.pixels[1]).then_some(walk)
+    }
+
+    /// What belongs to the line's ends, in the order in which they are walked.
+    fn in_order<T>(&self, [a, b]: [T; 2]) -> [T; 2] {
+        if self.turned { [b, a] } else { [a, b] }
     }
 
     /// The pixels along `major` that may have any in the target.
@@ -240,8 +293,14 @@ struct Levels {
 }
 
 impl Levels {
-    fn new(walk: &Walk, ends: [&ScreenVertex; 2], perspective: bool, lead: i32) -> Self {
-        let levels = ends.map(|v| i32::from(v.level().to_bits()));
+    /// From `levels` at the ends, in 1/64.
+    fn new(
+        walk: &Walk,
+        ends: [&ScreenVertex; 2],
+        levels: [i32; 2],
+        perspective: bool,
+        lead: i32,
+    ) -> Self {
         let fixed = levels.map(|level| level << (LEVEL_BITS - 6));
         let [a, b] = levels;
         let in_space = (perspective && a != b).then(|| {
@@ -262,11 +321,11 @@ impl Levels {
         }
     }
 
-    /// At pixel `n`, as a table's index.
+    /// At pixel `n`, in 1/64.
     #[inline(always)]
-    fn at(&mut self, n: i32) -> usize {
+    fn at(&mut self, n: i32) -> i32 {
         let Some((products, depths)) = &self.in_space else {
-            return ((self.linear.at(n) + (1 << (LEVEL_BITS - 1))) >> LEVEL_BITS) as usize;
+            return self.linear.at(n) >> (LEVEL_BITS - 6);
         };
         let within = n & ((1 << RUN_BITS) - 1);
         let start = n - within;
@@ -281,7 +340,6 @@ impl Levels {
             self.level = [from, step];
         }
         let [from, step] = self.level;
-        let level = from + ((step * within) >> 8);
-        ((level + (1 << 5)) >> 6).clamp(0, 255) as usize
+        from + ((step * within) >> 8)
     }
 }

@@ -143,7 +143,7 @@ impl CornerSource<'_> {
 }
 
 /// The corners' attributes with weights.
-fn weighted<const A: usize>(corners: &[Values<A>; 3], weights: [i32; 3]) -> Values<A> {
+pub(super) fn weighted<const A: usize>(corners: &[Values<A>; 3], weights: [i32; 3]) -> Values<A> {
     let mut values = [0; A];
     for (which, value) in values.iter_mut().enumerate() {
         let mut sum = 1i64 << (WEIGHT_BITS - 1);

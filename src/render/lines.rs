@@ -1,17 +1,20 @@
 //! Actors that are not drawn as surfaces: their edges, their vertices as marks, and
 //! the faces that hide what is behind them.
 
+use super::corner_source::weighted;
 use super::draw::Part;
 use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
 use super::triangles::{Draw, Triangle, clip_vertices, corner, triangles};
 use crate::clip::clip_line;
 use crate::frame::Target;
-use crate::line::{DepthRule, Line, Mark, draw_line, draw_mark};
+use crate::light::Lit;
+use crate::line::{DepthRule, Line, Mark, draw_coloured_line, draw_line, draw_mark};
 use crate::math::{FineDepth, SUBPX_BITS};
 use crate::raster::{Drawn, Fill, Sides, draw_depth, draw_triangle};
 use crate::scene::layout::CHAINED;
 use crate::scene::{Look, Representation, Scene};
+use crate::shade::{Lookup, Pixel};
 use crate::vertex::ScreenVertex;
 
 /// When in a viewport something is drawn.
@@ -86,6 +89,23 @@ fn rule(look: &Look) -> DepthRule {
     }
 }
 
+/// Whether light is a colour; without the feature no scene has such a material.
+fn is_coloured(part: &Part<'_>) -> bool {
+    cfg!(feature = "light") && part.view.material.coloured
+}
+
+/// The index of a pixel by its colour.
+#[inline(always)]
+fn colour_index<P: Paint>(paint: &P, part: &Part<'_>, lit: Lit, place: [i32; 2], ids: Ids) -> u8 {
+    let pixel = Pixel {
+        lookup: Lookup::Colours(part.scene.colours()),
+        lit,
+        place,
+        texel: [0; 2],
+    };
+    paint.surface(&pixel, ids)
+}
+
 fn draw_points<P: Paint>(
     paint: &P,
     part: &Part<'_>,
@@ -111,8 +131,15 @@ fn draw_points<P: Paint>(
             actor: part.actor,
             triangle: Ids::POINT | (part.meshlet.first_vertex + u32::from(number)),
         };
-        let fill = paint.fill(shades, None, ids);
-        draw_mark(target, point, &mark, &rule(look), fill);
+        if is_coloured(part) {
+            let lit = part.transformed.colour(number).map(|c| c as u16);
+            let index = |place| Some(colour_index(paint, part, lit, place, ids));
+            draw_mark(target, point, &mark, &rule(look), index);
+        } else {
+            let level = || (usize::from(point.level().to_bits()) + 32) >> 6;
+            let index = paint.fill(shades, None, ids).index(level);
+            draw_mark(target, point, &mark, &rule(look), |_| index);
+        }
     }
 }
 
@@ -134,16 +161,17 @@ fn draw_edges<P: Paint>(
         if all {
             continue;
         }
-        let clipped;
-        let vertices = if !any {
-            ends
-        } else {
+        let mut clipped = None;
+        if any {
             let ends = clip_vertices(part.scene, part.view, part.meshlet, indices, ends);
-            match clip_line(part.view, ends) {
-                Some(line) => clipped = line,
-                None => continue,
+            clipped = clip_line(part.view, ends);
+            if clipped.is_none() {
+                continue;
             }
-            clipped.each_ref()
+        }
+        let vertices = match &clipped {
+            Some(line) => line.each_ref().map(|(vertex, _)| vertex),
+            None => ends,
         };
         let line = Line {
             vertices,
@@ -156,7 +184,20 @@ fn draw_edges<P: Paint>(
             actor: part.actor,
             triangle: Ids::EDGE | number,
         };
-        draw_line(target, &line, &rule(look), paint.fill(shades, None, ids));
+        if is_coloured(part) {
+            let [from, to] = indices.map(|index| part.transformed.colour(index));
+            let colours = match &clipped {
+                Some(line) => line
+                    .each_ref()
+                    .map(|(_, weights)| weighted(&[from, to, [0; 3]], *weights)),
+                None => [from, to],
+            };
+            draw_coloured_line(target, &line, &rule(look), colours, |lit, place| {
+                colour_index(paint, part, lit, place, ids)
+            });
+        } else {
+            draw_line(target, &line, &rule(look), paint.fill(shades, None, ids));
+        }
     }
 }
 

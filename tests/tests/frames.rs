@@ -117,6 +117,7 @@ fn no_capacity_and_no_band_height_changes_a_byte() {
         "stereo_anaglyph",
         "wireframe",
         "hidden_line",
+        "lines_in_colour",
         "lines_markers_text",
         "screen_door",
         "blend",

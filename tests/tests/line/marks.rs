@@ -1,5 +1,4 @@
 use fixel::line::{DepthRule, Mark, draw_mark};
-use fixel::raster::Fill;
 
 use super::{TESTED, at, in_bands, raw};
 
@@ -27,7 +26,7 @@ fn a_mark_is_where_its_offset_says_in_every_band_height() {
     };
     for rows in [1, 2, 6] {
         let (depths, indices) = in_bands((12, 6), rows, |target| {
-            draw_mark(target, &at((3.2, 1.9)), &mark, &TESTED, Fill::Flat(7));
+            draw_mark(target, &at((3.2, 1.9)), &mark, &TESTED, |_| Some(7));
         });
         let rows: Vec<String> = indices
             .chunks(12)
@@ -69,7 +68,7 @@ fn half_pixels_centre_a_mark_of_even_size() {
     };
     for (x, first) in [(2.0, 1), (2.4, 1), (2.5, 2), (2.9, 2)] {
         let (_, indices) = in_bands((6, 2), 2, |target| {
-            draw_mark(target, &at((x, 1.0)), &mark, &TESTED, Fill::Flat(1));
+            draw_mark(target, &at((x, 1.0)), &mark, &TESTED, |_| Some(1));
         });
         let row: Vec<usize> = (0..6).filter(|i| indices[*i] == 1).collect();
         assert_eq!(row, [first, first + 1], "at {x}");
@@ -87,7 +86,7 @@ fn off_every_side_and_far_away_a_mark_is_cut() {
     };
     let count = |x: f64, y: f64| {
         let (_, indices) = in_bands((4, 4), 3, |target| {
-            draw_mark(target, &at((x, y)), &mark, &TESTED, Fill::Flat(1));
+            draw_mark(target, &at((x, y)), &mark, &TESTED, |_| Some(1));
         });
         indices.iter().filter(|i| **i == 1).count()
     };
@@ -109,20 +108,12 @@ fn a_mark_has_the_depth_of_its_point() {
     };
     let draw = |first: u32, second: u32, rule: DepthRule| {
         in_bands((1, 1), 1, |target| {
-            draw_mark(
-                target,
-                &raw(0, 0, first << 4, 0),
-                &mark,
-                &TESTED,
-                Fill::Flat(1),
-            );
-            draw_mark(
-                target,
-                &raw(0, 0, second << 4, 0),
-                &mark,
-                &rule,
-                Fill::Flat(2),
-            );
+            draw_mark(target, &raw(0, 0, first << 4, 0), &mark, &TESTED, |_| {
+                Some(1)
+            });
+            draw_mark(target, &raw(0, 0, second << 4, 0), &mark, &rule, |_| {
+                Some(2)
+            });
         })
     };
     assert_eq!(draw(100, 99, TESTED), (vec![100], vec![1]));

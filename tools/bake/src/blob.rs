@@ -157,7 +157,7 @@ fn bake_with(scene: &Scene, rays: Option<&[Sample]>) -> Result<Baked, BakeError>
         .zip(transparencies(scene))
         .map(|(((m, path), texture), how)| material(scene, *path, *texture, how, m));
     let mut materials = materials.collect::<Vec<_>>();
-    let looks = looks(scene, &mut materials)?;
+    let looks = looks(scene, &mut materials);
     let all = Instances {
         instances: &instances,
         uses: &uses,

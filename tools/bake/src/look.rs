@@ -5,9 +5,7 @@ use embedded_graphics::image::GetPixel;
 use embedded_graphics::mono_font::{MonoFont, iso_8859_1};
 use embedded_graphics::pixelcolor::BinaryColor;
 use fixel::scene::{self as core_scene, Cull, Representation, Shading};
-use fixel_scene::{Element, Font, Look, Mark, Scene, Shape, Side, Space};
-
-use crate::error::{BakeError, Problem};
+use fixel_scene::{Font, Look, Mark, Scene, Shape, Side, Space};
 
 /// Looks and the rows of their marks.
 #[derive(Default)]
@@ -20,10 +18,7 @@ pub(crate) struct Looks {
 
 /// The looks of all actors. To `materials` are added those that lines and points
 /// need: lit at vertices and seen from both sides.
-pub(crate) fn looks(
-    scene: &Scene,
-    materials: &mut Vec<core_scene::Material>,
-) -> Result<Looks, BakeError> {
+pub(crate) fn looks(scene: &Scene, materials: &mut Vec<core_scene::Material>) -> Looks {
     let mut all = Looks::default();
     for (number, actor) in scene.actors.iter().enumerate() {
         let Some(representation) = representation(&actor.look) else {
@@ -35,10 +30,6 @@ pub(crate) fn looks(
             cull: Cull::None,
             ..materials[actor.material]
         };
-        if wanted.coloured {
-            let what = format!("actor `{}`: lines or points in coloured light", actor.name);
-            return Err(Problem::NotYet { what }.at(Element::Actor(number)));
-        }
         let known = materials.iter().position(|m| *m == wanted);
         let material = known.unwrap_or_else(|| {
             materials.push(wanted);
@@ -66,7 +57,7 @@ pub(crate) fn looks(
             first_mark: first_mark as u32,
         });
     }
-    Ok(all)
+    all
 }
 
 /// What of an actor the core draws; `None`: its surface.
