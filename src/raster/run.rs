@@ -10,7 +10,7 @@ pub const MOST_ATTRIBUTES: usize = 11;
 pub type Values<const A: usize> = [i32; A];
 
 /// Pixels in a run at most: a power of two between its ends, and the last one.
-pub const LONGEST_RUN: usize = 17;
+pub const LONGEST_RUN: usize = 33;
 
 /// Fractional bits of an attribute in a [`Run`].
 pub const RUN_FRACTION: u32 = 14;

@@ -190,8 +190,11 @@ impl<const A: usize> Surface<A> {
         }
         // Rounded up.
         let change = (self.nearness.x.unsigned_abs() >> 16) as u32 + 1;
-        let room = here.nearness >> if self.kind.outlined { 3 } else { 2 };
-        let mut bits = RUN.ilog2();
+        let (room, mut bits) = if self.kind.outlined {
+            (here.nearness >> 3, RUN.ilog2() - 1)
+        } else {
+            (here.nearness >> 2, RUN.ilog2())
+        };
         while bits > 0 && change > room >> bits {
             bits -= 1;
         }

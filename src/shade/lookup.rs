@@ -67,7 +67,7 @@ fn index(lookup: Lookup<'_>, lit: Lit, offset: i32) -> u8 {
             let [level, ..] = lit;
             let row = (usize::from(level) + 32) >> 8;
             #[expect(clippy::indexing_slicing, reason = "held below the length")]
-            shades[(row * BASES + usize::from(base)) % TEXTURE_SHADES]
+            shades[row * BASES % TEXTURE_SHADES + usize::from(base) % BASES]
         }
         Lookup::Colours(colours) => {
             // (c + half a step) / STEP, below 16.
