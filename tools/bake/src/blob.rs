@@ -127,7 +127,7 @@ fn bake_with(scene: &Scene, rays: Option<&[Sample]>) -> Result<Baked, BakeError>
     let shades = tables.texture_shades.iter();
     let texture_shades: Vec<Vec<u8>> = shades.map(|table| padded(table, bases)).collect();
     let placed = placed(scene)?;
-    let (instances, uses) = instances(scene, &placed);
+    let (instances, uses) = instances(scene, &placed, rays.is_some());
     let mut parts = Parts::default();
     for instance in &instances {
         let mesh = &scene.meshes[instance.mesh];

@@ -2,7 +2,7 @@
 //! moving and scaling evenly is done here, so that the core deals with
 //! similarities only (and a normal stays a normal).
 
-use fixel_scene::{Mesh, Representation, Scene, Shading};
+use fixel_scene::{Actor, Mesh, Representation, Scene, Shading};
 use glam::{DMat3, DVec3};
 
 use crate::placement::Placed;
@@ -18,6 +18,8 @@ pub(crate) struct Instance {
     pub flat: bool,
     /// Whether some actor is shaded from vertex normals.
     pub smooth: bool,
+    /// Whether some actor shows errors of its normals several times as large.
+    pub glossy: bool,
     /// Whether some actor shows its edges.
     pub edges: bool,
     /// Whether some actor shows its vertices.
@@ -51,6 +53,17 @@ impl Instance {
     }
 }
 
+/// Whether an actor shows an error of its vertex normals several times as large: its
+/// highlights do, with their power, and so does what rays meet by way of it.
+fn is_glossy(scene: &Scene, actor: &Actor, for_rays: bool) -> bool {
+    let material = &scene.materials[actor.material];
+    let surface = actor.look.representation == Representation::Surface;
+    let vertex_normals = !surface || material.shading != Shading::Flat;
+    let bends = material.opacity < 1.0 && material.refractive_index != 1.0;
+    let rays = for_rays && surface && (material.reflectivity > 0.0 || bends);
+    vertex_normals && (material.specular > 0.0 || rays)
+}
+
 /// The part of an actor's own map that its mesh must have worked in, and the even
 /// factor that is left.
 fn split_scale(linear: DMat3) -> (DMat3, f64) {
@@ -64,7 +77,11 @@ fn split_scale(linear: DMat3) -> (DMat3, f64) {
 
 /// The instances that a scene needs, those with face normals first, and for
 /// each actor its instance and even factor.
-pub(crate) fn instances(scene: &Scene, placed: &[Placed]) -> (Vec<Instance>, Vec<(usize, f64)>) {
+pub(crate) fn instances(
+    scene: &Scene,
+    placed: &[Placed],
+    for_rays: bool,
+) -> (Vec<Instance>, Vec<(usize, f64)>) {
     let mut instances: Vec<Instance> = Vec::new();
     let mut uses = Vec::new();
     for (actor, placed) in scene.actors.iter().zip(placed) {
@@ -78,6 +95,7 @@ pub(crate) fn instances(scene: &Scene, placed: &[Placed]) -> (Vec<Instance>, Vec
                 linear,
                 flat: false,
                 smooth: false,
+                glossy: false,
                 edges: false,
                 points: false,
             });
@@ -92,6 +110,7 @@ pub(crate) fn instances(scene: &Scene, placed: &[Placed]) -> (Vec<Instance>, Vec
             // Lines and points are lit at vertices.
             _ => instance.smooth = true,
         }
+        instance.glossy |= is_glossy(scene, actor, for_rays);
         match actor.look.representation {
             Representation::Surface => {}
             Representation::Wireframe | Representation::HiddenLine => instance.edges = true,

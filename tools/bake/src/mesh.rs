@@ -16,7 +16,8 @@ use crate::{BakeError, Problem, coordinates, normal};
 
 /// A mesh of so many triangles may take 4 bytes more a vertex to be exact to 22
 /// bits an axis: large faces that the eye stands close to need it, and flash does
-/// not notice.
+/// not notice. Larger ones take them for 4 more bits an axis of their normals, if
+/// these show ([`Instance::glossy`]).
 const FINE_TRIANGLES: usize = 512;
 
 /// A triangle, an edge or a vertex of the description.
@@ -110,7 +111,7 @@ impl Parts {
             .collect();
 
         let coarse = shifts.iter().flatten().any(|s| *s > 0);
-        shape.fine = coarse && shape.triangles.len() <= FINE_TRIANGLES;
+        shape.fine = instance.glossy || coarse && shape.triangles.len() <= FINE_TRIANGLES;
 
         // A vertex is on the coarsest grid of the meshlets that share it.
         let mut coarsest: HashMap<_, Shifts> = HashMap::new();
