@@ -17,6 +17,10 @@ const COVERAGE_PERCENT: f64 = 0.02;
 const TEXELS: f64 = 0.25;
 /// Fewest agreeing pixels, in percent, whose depth is within one unit.
 const DEPTH_WITHIN_1_PERCENT: f64 = 99.9;
+/// Fewest agreeing pixels, in percent, whose light is within 2 of 255.
+const LEVEL_WITHIN_2_PERCENT: f64 = 99.0;
+/// Least PSNR against the truth through the same palette.
+const SAME_PALETTE_DB: f64 = 40.0;
 /// Least PSNR of a scene of one material against the unquantised truth, on a
 /// display with 8 bits a channel: 16-bit colour alone costs all but 42 dB.
 const PSNR_DB: f64 = 45.0;
@@ -26,8 +30,6 @@ const PSNR_DB: f64 = 45.0;
 const RAY_SURFACE_PERCENT: f64 = 0.01;
 /// Most pixels with a wrong shadow, as a share of the lit ones, and always one.
 const RAY_SHADOW_PERCENT: f64 = 0.1;
-/// Least PSNR against the truth through the same palette.
-const RAY_PSNR_DB: f64 = 40.0;
 
 /// The core's two renderers.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -185,14 +187,18 @@ fn ray_limits(report: &Report) -> Result<()> {
         let clusters = report.shadow_mismatch_clusters;
         broken.push(format!("{clusters} clusters of wrong shadows"));
     }
-    if report.rgb_psnr_db < RAY_PSNR_DB {
-        broken.push(format!("colour at {:.1} dB only", report.rgb_psnr_db));
-    }
+    broken.extend(far_from_truth(report));
     if broken.is_empty() {
         Ok(())
     } else {
         Err(broken.join("; ").into())
     }
+}
+
+/// Colour through the same palette, if it is broken.
+fn far_from_truth(report: &Report) -> Option<String> {
+    let db = report.rgb_psnr_db;
+    (db < SAME_PALETTE_DB).then(|| format!("colour through the same palette at {db:.1} dB only"))
 }
 
 fn limits(compared: &Compared) -> Result<()> {
@@ -211,6 +217,13 @@ fn limits(compared: &Compared) -> Result<()> {
             report.depth_within_1_percent
         ));
     }
+    if report.level_within_2_percent < LEVEL_WITHIN_2_PERCENT {
+        broken.push(format!(
+            "light is within 2 of 255 on {:.2} % only",
+            report.level_within_2_percent
+        ));
+    }
+    broken.extend(far_from_truth(report));
     if report.texel_mean > TEXELS {
         broken.push(format!(
             "places in textures are {:.2} texels off",
@@ -339,5 +352,15 @@ mod tests {
         assert!(limits(&compared(5, 99.9, 45.0)).is_err());
         assert!(limits(&compared(4, 99.8, 45.0)).is_err());
         assert!(limits(&compared(4, 99.9, 44.9)).is_err());
+        let holds = |change: fn(&mut Report)| {
+            let mut compared = compared(0, 99.9, 45.0);
+            change(&mut compared.report);
+            limits(&compared).is_ok()
+        };
+        assert!(holds(
+            |r| (r.level_within_2_percent, r.rgb_psnr_db) = (99.0, 40.0)
+        ));
+        assert!(!holds(|r| r.level_within_2_percent = 98.9));
+        assert!(!holds(|r| r.rgb_psnr_db = 39.9));
     }
 }
