@@ -26,4 +26,4 @@ pub use corners::{Corner, SurfaceKind};
 pub use run::{LONGEST_RUN, MOST_ATTRIBUTES, RUN_FRACTION, Run, Shade, Values};
 pub use span::Fill;
 pub use surface::draw_surface;
-pub use triangle::{Drawn, Sides, draw_depth, draw_triangle};
+pub use triangle::{Drawn, How, Sides, draw_depth, draw_triangle};

@@ -52,7 +52,7 @@ pub fn draw_surface<const A: usize>(
         |span, surface| surface.runs(span, column, shade),
         |span| sliver(span, &shape, &corners, shade),
     );
-    Drawn::Filled
+    seen.filled()
 }
 
 /// Hands on a span of a sliver, pixel by pixel.

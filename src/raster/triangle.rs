@@ -19,15 +19,31 @@ pub struct Sides {
     pub back: bool,
 }
 
+/// What became of a triangle in the rows of a target.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Drawn {
+    /// What it is.
+    pub how: How,
+    /// Whether rows below may have pixels of it.
+    pub more: bool,
+}
+
 /// What became of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Drawn {
+pub enum How {
     /// It is not in these rows, or between pixel centres.
     Missed,
     /// It shows a side that is not drawn, or is seen edge-on.
     Away,
     /// Its pixels were filled where nothing nearer stood.
     Filled,
+}
+
+impl Drawn {
+    /// It is done with.
+    const fn last(how: How) -> Self {
+        Self { how, more: false }
+    }
 }
 
 /// Twice the signed area in sub-pixels squared; exact.
@@ -64,6 +80,19 @@ pub(super) struct Seen {
     pub rows: (i32, i32),
     /// Least and most x, y of the vertices, sub-pixels.
     pub bounds: [[i32; 2]; 2],
+    /// Whether rows below the target may have pixels of it.
+    pub more: bool,
+}
+
+impl Seen {
+    /// What has become of it when it is drawn.
+    #[inline(always)]
+    pub fn filled(&self) -> Drawn {
+        Drawn {
+            how: How::Filled,
+            more: self.more,
+        }
+    }
 }
 
 /// Draws a triangle if it shows one of `sides`; `fill` is asked for only then.
@@ -81,7 +110,7 @@ pub fn draw_triangle<'f>(
         Err(drawn) => return drawn,
     };
     fill_triangle(target, triangle, &seen, perspective, fill());
-    Drawn::Filled
+    seen.filled()
 }
 
 /// A triangle that shows one of `sides` and may have pixels in the target.
@@ -91,17 +120,7 @@ pub(super) fn shown(
     triangle: [&ScreenVertex; 3],
     sides: Sides,
 ) -> Result<Seen, Drawn> {
-    // Many triangles of a fine mesh lie between pixel centres, and in a band
-    // most lie in other rows.
-    let (clip_top, clip_end) = (i32::from(target.top), i32::from(target.end));
-    let (above, below) = range(triangle.map(|v| v.y().to_bits()));
-    let (first, end) = (
-        first_centre(above).max(clip_top),
-        first_centre(below).min(clip_end),
-    );
-    if first >= end {
-        return Err(Drawn::Missed);
-    }
+    // First what most triangles end with, and needs to be known only once.
     let area = doubled_area(triangle);
     // y points down.
     let shown = if area < 0 {
@@ -110,16 +129,30 @@ pub(super) fn shown(
         sides.back && area > 0
     };
     if !shown {
-        return Err(Drawn::Away);
+        return Err(Drawn::last(How::Away));
+    }
+    // Many triangles of a fine mesh lie between pixel centres, and in a band
+    // most lie in other rows.
+    let (clip_top, clip_end) = (i32::from(target.top), i32::from(target.end));
+    let (above, below) = range(triangle.map(|v| v.y().to_bits()));
+    let (first, end) = (first_centre(above).max(clip_top), first_centre(below));
+    let more = end > clip_end;
+    let end = end.min(clip_end);
+    if first >= end {
+        return Err(Drawn {
+            how: How::Missed,
+            more,
+        });
     }
     let (left, right) = range(triangle.map(|v| v.x().to_bits()));
     if first_centre(left).max(0) >= first_centre(right).min(target.width.into()) {
-        return Err(Drawn::Missed);
+        return Err(Drawn::last(How::Missed));
     }
     Ok(Seen {
         area,
         rows: (first, end),
         bounds: [[left, above], [right, below]],
+        more,
     })
 }
 
@@ -231,7 +264,7 @@ pub fn draw_depth(target: &mut Target<'_>, triangle: [&ScreenVertex; 3], sides: 
         |span, at| span::depth(span.depths, at.z.at(columns(&span)), at.z.gradient.x),
         |span| sliver::span(span, &shape, Fill::Depth),
     );
-    Drawn::Filled
+    seen.filled()
 }
 
 /// A vertex and what goes with it.

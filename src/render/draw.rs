@@ -7,7 +7,7 @@ use super::meshlet_cache::MeshletCache;
 use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
 use super::surface::draw_surface_meshlet;
-use super::triangles::{Draw, Triangle, triangles};
+use super::triangles::{Draw, Left, Triangle, triangles};
 use super::visible_list::Entry;
 use crate::fog::Haze;
 use crate::frame::Target;
@@ -59,7 +59,7 @@ pub(super) fn draw_meshlet<P: Paint>(
         }
         entry.end_row
     });
-    let (Some(transformed), true) = (transformed, entry.touches(rows)) else {
+    let (Some((transformed, left)), true) = (transformed, entry.touches(rows)) else {
         return;
     };
     let part = Part {
@@ -81,9 +81,9 @@ pub(super) fn draw_meshlet<P: Paint>(
             }
         }
     } else if cfg!(feature = "light") && view.material.is_surface() {
-        draw_surface_meshlet(paint, &part, target, stats);
+        draw_surface_meshlet(paint, &part, left, target, stats);
     } else {
-        draw_plain_meshlet(paint, &part, target, stats);
+        draw_plain_meshlet(paint, &part, left, target, stats);
     }
 }
 
@@ -125,6 +125,7 @@ impl Part<'_> {
 fn draw_plain_meshlet<P: Paint>(
     paint: &P,
     part: &Part<'_>,
+    left: &mut Left,
     target: &mut Target<'_>,
     stats: &mut FrameStats,
 ) {
@@ -143,7 +144,15 @@ fn draw_plain_meshlet<P: Paint>(
         normals: scene.meshlet_face_normals(meshlet, &view.mesh),
         sides: part.sides(),
     };
-    triangles(scene, view, meshlet, part.transformed, stats, &mut plain);
+    triangles(
+        scene,
+        view,
+        meshlet,
+        part.transformed,
+        left,
+        stats,
+        &mut plain,
+    );
 }
 
 /// What the triangles of a plain meshlet have in common.

@@ -5,7 +5,7 @@ use super::corner_source::weighted;
 use super::draw::Part;
 use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
-use super::triangles::{Draw, Triangle, clip_vertices, corner, triangles};
+use super::triangles::{Draw, Left, Triangle, clip_vertices, corner, triangles};
 use crate::clip::clip_line;
 use crate::frame::Target;
 use crate::light::Lit;
@@ -157,7 +157,8 @@ fn draw_edges<P: Paint>(
         let indices = [*from, *to & !CHAINED];
         let ends = indices.map(|index| corner(part.transformed, index));
         let [_, last] = ends;
-        let (any, all) = ScreenVertex::any_and_all_outside(ends);
+        let any = ScreenVertex::any_outside(ends);
+        let all = any && ScreenVertex::all_outside(ends);
         if all {
             continue;
         }
@@ -212,6 +213,7 @@ pub(super) fn draw_hidden<P: Paint>(
     stats: &mut FrameStats,
 ) {
     let (scene, view) = (part.scene, part.view);
+    let mut left = Left::ALL;
     let mut hidden = Hidden {
         paint,
         part,
@@ -223,6 +225,7 @@ pub(super) fn draw_hidden<P: Paint>(
         view,
         part.meshlet,
         part.transformed,
+        &mut left,
         stats,
         &mut hidden,
     );

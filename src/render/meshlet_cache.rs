@@ -1,5 +1,6 @@
 //! Transformed meshlets, kept from band to band.
 
+use super::triangles::Left;
 use crate::vertex::TransformedMeshlet;
 
 /// Room for one transformed meshlet.
@@ -10,6 +11,8 @@ pub struct Slot {
     /// One past the last row that needs it.
     until: u16,
     vertices: TransformedMeshlet,
+    /// Its triangles that may have pixels in the next band.
+    left: Left,
 }
 
 impl Slot {
@@ -17,6 +20,7 @@ impl Slot {
         key: None,
         until: 0,
         vertices: TransformedMeshlet::EMPTY,
+        left: Left::ALL,
     };
 }
 
@@ -43,26 +47,27 @@ impl<'a> MeshletCache<'a> {
         self.band_end = end;
     }
 
-    /// The meshlet's vertices, from a slot or through `transform`. `until` is
+    /// The meshlet's vertices, from a slot or through `transform`, and its triangles. `until` is
     /// one past its last row, at most; `transform` gives what that really is.
     pub(super) fn get(
         &mut self,
         key: (u16, u32),
         until: u16,
         transform: impl FnOnce(&mut TransformedMeshlet) -> u16,
-    ) -> Option<&TransformedMeshlet> {
+    ) -> Option<(&TransformedMeshlet, &mut Left)> {
         let held = self.slots.iter().position(|slot| slot.key == Some(key));
         let which = held.unwrap_or_else(|| self.choose(until));
         let slot = self.slots.get_mut(which)?;
         if held.is_none() {
             slot.until = transform(&mut slot.vertices).min(until);
             slot.key = Some(key);
+            slot.left = Left::ALL;
         }
         if slot.until <= self.band_end {
             // Not needed again: free for the next one.
             slot.key = None;
         }
-        Some(&slot.vertices)
+        Some((&slot.vertices, &mut slot.left))
     }
 
     fn choose(&self, until: u16) -> usize {

@@ -1,6 +1,6 @@
 //! What a frame took.
 
-use crate::raster::Drawn;
+use crate::raster::How;
 
 /// Counts of one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,7 +20,7 @@ pub struct FrameStats {
     pub meshlets_transformed: u32,
     /// Vertices transformed.
     pub vertices: u32,
-    /// Triangles looked at, counted again in each band.
+    /// Triangles looked at, counted again in each band that they may reach.
     pub triangles: u32,
     /// Triangles that are not in the band's rows or cover no pixel centre.
     pub triangles_missed: u32,
@@ -40,11 +40,11 @@ pub struct FrameStats {
 
 impl FrameStats {
     /// Counts what became of a triangle.
-    pub(super) fn count(&mut self, drawn: Drawn) {
-        match drawn {
-            Drawn::Missed => self.triangles_missed += 1,
-            Drawn::Away => self.triangles_away += 1,
-            Drawn::Filled => self.triangles_drawn += 1,
+    pub(super) fn count(&mut self, how: How) {
+        match how {
+            How::Missed => self.triangles_missed += 1,
+            How::Away => self.triangles_away += 1,
+            How::Filled => self.triangles_drawn += 1,
         }
     }
 }

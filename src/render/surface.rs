@@ -5,7 +5,7 @@ use super::draw::Part;
 use super::paint::Paint;
 use super::stats::FrameStats;
 use super::surface_runs::{Others, Runs, Texels, Through, Way};
-use super::triangles::{Draw, Triangle, triangles};
+use super::triangles::{Draw, Left, Triangle, triangles};
 use crate::frame::Target;
 use crate::light::{Parts, Patch, SurfaceLights, sum};
 use crate::math::FineLevel;
@@ -21,6 +21,7 @@ use crate::view::{MeshletRows, round_level};
 pub(super) fn draw_surface_meshlet<P: Paint>(
     paint: &P,
     part: &Part<'_>,
+    left: &mut Left,
     target: &mut Target<'_>,
     stats: &mut FrameStats,
 ) {
@@ -80,10 +81,27 @@ pub(super) fn draw_surface_meshlet<P: Paint>(
         // What faces away lies behind what faces the eye, at least in one meshlet of a
         // convex thing.
         surfaces.sides.front = false;
-        triangles(scene, view, meshlet, part.transformed, stats, &mut surfaces);
+        let mut left = Left::ALL;
+        triangles(
+            scene,
+            view,
+            meshlet,
+            part.transformed,
+            &mut left,
+            stats,
+            &mut surfaces,
+        );
         surfaces.sides = Sides { front, back: false };
     }
-    triangles(scene, view, meshlet, part.transformed, stats, &mut surfaces);
+    triangles(
+        scene,
+        view,
+        meshlet,
+        part.transformed,
+        left,
+        stats,
+        &mut surfaces,
+    );
 }
 
 impl<'a> Through<'a> {

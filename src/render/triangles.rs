@@ -3,7 +3,7 @@
 use super::stats::FrameStats;
 use crate::clip::{Cut, clip};
 use crate::raster::Drawn;
-use crate::scene::layout::MESHLET_VERTICES;
+use crate::scene::layout::{MESHLET_TRIANGLES, MESHLET_VERTICES};
 use crate::scene::{Meshlet, Scene};
 use crate::vertex::{ClipVertex, ScreenVertex, TransformedMeshlet, vertex};
 use crate::view::{ActorView, MeshletRows};
@@ -27,49 +27,101 @@ pub(super) trait Draw {
     fn draw(&mut self, triangle: &Triangle<'_>) -> Drawn;
 }
 
-/// Hands each triangle that may be seen to `to`.
+/// The triangles of a meshlet that may still have pixels: a bit each. In a band are many
+/// that earlier ones are through with, most of them because they face away.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Left([u32; WORDS]);
+
+const WORDS: usize = MESHLET_TRIANGLES / BITS;
+const BITS: usize = u32::BITS as usize;
+
+impl Left {
+    pub const ALL: Self = Self([u32::MAX; WORDS]);
+}
+
+/// Hands each triangle that may be seen, of those that are `left`, to `to`.
 #[inline(always)]
 pub(super) fn triangles(
     scene: &Scene<'_>,
     view: &ActorView,
     meshlet: &Meshlet,
     transformed: &TransformedMeshlet,
+    left: &mut Left,
     stats: &mut FrameStats,
     to: &mut impl Draw,
 ) {
-    stats.triangles += u32::from(meshlet.triangles);
-    for (number, indices) in scene.meshlet_triangles(meshlet).iter().enumerate() {
-        let corners = indices.map(|index| corner(transformed, index));
-        let (any, all) = ScreenVertex::any_and_all_outside(corners);
-        if all {
-            stats.triangles_outside += 1;
-            continue;
+    let Left(words) = left;
+    let mut first = 0;
+    let all = scene.meshlet_triangles(meshlet).chunks(BITS);
+    for (left, triangles) in words.iter_mut().zip(all) {
+        let mut bit = 1;
+        for (number, indices) in (first..).zip(triangles) {
+            if *left & bit != 0
+                && !triangle(
+                    scene,
+                    view,
+                    meshlet,
+                    transformed,
+                    (number, indices),
+                    stats,
+                    to,
+                )
+            {
+                *left &= !bit;
+            }
+            bit = bit.rotate_left(1);
         }
-        if !any {
-            stats.count(to.draw(&Triangle {
-                number,
-                indices,
-                corners,
-                cuts: None,
-            }));
-            continue;
-        }
-        stats.triangles_clipped += 1;
-        let polygon = clip(view, clip_vertices(scene, view, meshlet, *indices, corners));
-        let all = polygon.vertices().iter().zip(polygon.cuts());
-        let mut all = all.clone().zip(all.skip(1));
-        let Some((first, _)) = all.next() else {
-            continue;
-        };
-        for (b, c) in all {
-            stats.count(to.draw(&Triangle {
-                number,
-                indices,
-                corners: [first.0, b.0, c.0],
-                cuts: Some([first.1, b.1, c.1]),
-            }));
-        }
+        first += BITS;
     }
+}
+
+/// Hands on a triangle, or the parts of it that are not clipped; gives whether rows below
+/// may have pixels of it.
+#[inline(always)]
+fn triangle(
+    scene: &Scene<'_>,
+    view: &ActorView,
+    meshlet: &Meshlet,
+    transformed: &TransformedMeshlet,
+    (number, indices): (usize, &[u8; 3]),
+    stats: &mut FrameStats,
+    to: &mut impl Draw,
+) -> bool {
+    stats.triangles += 1;
+    let corners = indices.map(|index| corner(transformed, index));
+    if !ScreenVertex::any_outside(corners) {
+        let Drawn { how, more } = to.draw(&Triangle {
+            number,
+            indices,
+            corners,
+            cuts: None,
+        });
+        stats.count(how);
+        return more;
+    }
+    if ScreenVertex::all_outside(corners) {
+        stats.triangles_outside += 1;
+        return false;
+    }
+    stats.triangles_clipped += 1;
+    let polygon = clip(view, clip_vertices(scene, view, meshlet, *indices, corners));
+    let all = polygon.vertices().iter().zip(polygon.cuts());
+    let mut all = all.clone().zip(all.skip(1));
+    let Some((first, _)) = all.next() else {
+        return false;
+    };
+    let mut more_of_any = false;
+    for (b, c) in all {
+        let Drawn { how, more } = to.draw(&Triangle {
+            number,
+            indices,
+            corners: [first.0, b.0, c.0],
+            cuts: Some([first.1, b.1, c.1]),
+        });
+        stats.count(how);
+        more_of_any |= more;
+    }
+    more_of_any
 }
 
 /// A meshlet's vertex by index.

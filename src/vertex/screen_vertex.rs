@@ -121,13 +121,19 @@ impl ScreenVertex {
         (self.x | self.y) & OUTSIDE != 0
     }
 
-    /// Whether some are outside, and whether all are beyond one plane.
+    /// Whether some are outside.
     #[inline(always)]
-    pub fn any_and_all_outside<const N: usize>(all: [&Self; N]) -> (bool, bool) {
+    pub fn any_outside<const N: usize>(all: [&Self; N]) -> bool {
         let any = all.iter().fold(0, |sum, v| sum | v.x | v.y);
+        any & OUTSIDE != 0
+    }
+
+    /// Whether all are beyond one plane.
+    #[inline(always)]
+    pub fn all_outside<const N: usize>(all: [&Self; N]) -> bool {
         let x = all.iter().fold(OUTSIDE, |sum, v| sum & v.x);
         let y = all.iter().fold(OUTSIDE, |sum, v| sum & v.y);
-        (any & OUTSIDE != 0, x | y != 0)
+        x | y != 0
     }
 }
 
