@@ -36,11 +36,20 @@ pub(super) fn level_times_depth(v: &ScreenVertex) -> i32 {
     ((u64::from(v.level().to_bits()) * u64::from(v.z().to_bits())) >> 4) as i32
 }
 
+/// The least and the most level of the corners, 8.16. Far away, where depth has few bits,
+/// a quotient may leave it.
+pub(super) fn range(triangle: [&ScreenVertex; 3]) -> [u32; 2] {
+    let [a, b, c] = triangle.map(|v| u32::from(v.level().to_bits()) << 10);
+    [a.min(b).min(c), a.max(b).max(c).min(MOST)]
+}
+
+/// Full light.
+const MOST: u32 = 255 << 16;
+
 /// The level, 8.16, where depth (16.16, with the half that rounds it) and level
 /// times depth are as given.
 #[inline(always)]
-fn level(z: u32, level_times_depth: u32) -> u32 {
-    const MOST: u32 = 255 << 16;
+fn level(z: u32, level_times_depth: u32, [least, most]: [u32; 2]) -> u32 {
     let depth = z.saturating_sub(1 << 15) >> 2; // 30 bits
     let recip = reciprocal(depth);
     // The quotient is the level / 2^14, hence this level * 2^(16 - shift) with 6
@@ -51,7 +60,7 @@ fn level(z: u32, level_times_depth: u32) -> u32 {
     } else {
         high >> (6 - recip.shift)
     };
-    level.min(MOST)
+    level.max(least).min(most)
 }
 
 /// `2^13 / n` for runs of n + 1 pixels, rounded to nearest: off by a 2000th at
@@ -74,12 +83,13 @@ pub(super) fn gouraud(
     indices: &mut [u8],
     depths: &mut [Depth],
     (z, level_depth): (&Attribute, &Attribute),
+    range: [u32; 2],
     mut column: i32,
     shades: &[u8; 256],
 ) {
     for (indices, depths) in indices.chunks_mut(RUN).zip(depths.chunks_mut(RUN)) {
         let last = indices.len() as i32 - 1;
-        let at = |column| level(z.at(column), level_depth.at(column));
+        let at = |column| level(z.at(column), level_depth.at(column), range);
         let (from, to) = (at(column), at(column + last));
         let over = STEPS.get(last as usize).copied().unwrap_or(0);
         // 18 bits and a sign, times 14: 31 bits and a sign, as 255 is below 256.

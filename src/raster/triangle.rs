@@ -192,6 +192,7 @@ fn fill_large(
     };
     let columns = columns(&shape);
     let sliver = |span: Span<'_>| sliver::span(span, &shape, fill);
+    let range = perspective::range(shape.sorted);
     match fill {
         Fill::Depth => {}
         // Without the feature there is none.
@@ -212,7 +213,7 @@ fn fill_large(
             |plane, row| Attributes::for_perspective(plane, &shape, row),
             |span, at| {
                 let (planes, columns) = ((&at.z, &at.level), columns(&span));
-                perspective::gouraud(span.indices, span.depths, planes, columns, shades);
+                perspective::gouraud(span.indices, span.depths, planes, range, columns, shades);
             },
             sliver,
         ),
