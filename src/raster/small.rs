@@ -92,7 +92,7 @@ pub(super) fn fill_small(
         Fill::Depth => {}
         Fill::Flat(index) => {
             rows.draw(target, z, Attribute::default(), |span, z, dz, _, _| {
-                span::flat::<true>(span.indices, span.depths, z, dz, index);
+                span::flat(span.indices, span.depths, z, dz, index);
             });
         }
         Fill::Gouraud(shades) => {

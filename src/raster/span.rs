@@ -29,26 +29,42 @@ impl Fill<'_> {
     }
 }
 
-/// One palette index; `SHORT` if there are likely few pixels. About 9 instructions a
-/// hidden pixel, 11 a drawn one on Cortex-M4.
+/// One palette index, where there are likely few pixels.
 #[inline(always)]
-pub(super) fn flat<const SHORT: bool>(
-    indices: &mut [u8],
-    depths: &mut [Depth],
-    mut z: u32,
-    dz: i32,
-    index: u8,
-) {
+pub(super) fn flat(indices: &mut [u8], depths: &mut [Depth], mut z: u32, dz: i32, index: u8) {
     for (pixel, depth) in indices.iter_mut().zip(depths) {
-        let here = (z >> 16) as Depth;
-        if here > *depth {
-            *depth = here;
-            *pixel = index;
-        }
+        put(pixel, depth, z, index);
         z = z.wrapping_add_signed(dz);
-        if SHORT {
-            keep_rolled();
-        }
+        keep_rolled();
+    }
+}
+
+/// The same where there are likely many. A function of its own, by fours: where it is
+/// inlined, others take its registers.
+#[inline(never)]
+pub(super) fn long_flat(indices: &mut [u8], depths: &mut [Depth], mut z: u32, dz: i32, index: u8) {
+    let (fours, rest) = indices.as_chunks_mut::<4>();
+    let (four_depths, rest_depths) = depths.as_chunks_mut::<4>();
+    for ([a, b, c, d], [ad, bd, cd, dd]) in fours.iter_mut().zip(four_depths) {
+        put(a, ad, z, index);
+        z = z.wrapping_add_signed(dz);
+        put(b, bd, z, index);
+        z = z.wrapping_add_signed(dz);
+        put(c, cd, z, index);
+        z = z.wrapping_add_signed(dz);
+        put(d, dd, z, index);
+        z = z.wrapping_add_signed(dz);
+    }
+    flat(rest, rest_depths, z, dz, index);
+}
+
+/// Draws a pixel if it is nearer than what stands there.
+#[inline(always)]
+fn put(pixel: &mut u8, depth: &mut Depth, z: u32, index: u8) {
+    let here = (z >> 16) as Depth;
+    if here > *depth {
+        *depth = here;
+        *pixel = index;
     }
 }
 

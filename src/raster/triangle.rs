@@ -192,7 +192,6 @@ fn fill_large(
     };
     let columns = columns(&shape);
     let sliver = |span: Span<'_>| sliver::span(span, &shape, fill);
-    let range = perspective::range(shape.sorted);
     match fill {
         Fill::Depth => {}
         // Without the feature there is none.
@@ -203,20 +202,23 @@ fn fill_large(
             |plane, row| Attributes::depth(plane, &shape, row),
             |span, at| {
                 let z = at.z.at(columns(&span));
-                span::flat::<false>(span.indices, span.depths, z, at.z.gradient.x, index);
+                span::long_flat(span.indices, span.depths, z, at.z.gradient.x, index);
             },
             sliver,
         ),
-        Fill::Gouraud(shades) if shape.perspective => scan(
-            target,
-            &shape,
-            |plane, row| Attributes::for_perspective(plane, &shape, row),
-            |span, at| {
-                let (planes, columns) = ((&at.z, &at.level), columns(&span));
-                perspective::gouraud(span.indices, span.depths, planes, range, columns, shades);
-            },
-            sliver,
-        ),
+        Fill::Gouraud(shades) if shape.perspective => {
+            let range = perspective::range(shape.sorted);
+            scan(
+                target,
+                &shape,
+                |plane, row| Attributes::for_perspective(plane, &shape, row),
+                |span, at| {
+                    let (planes, columns) = ((&at.z, &at.level), columns(&span));
+                    perspective::gouraud(span.indices, span.depths, planes, range, columns, shades);
+                },
+                sliver,
+            );
+        }
         Fill::Gouraud(shades) => scan(
             target,
             &shape,
