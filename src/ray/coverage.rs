@@ -8,7 +8,7 @@ use crate::math::{mul_high, reciprocal};
 /// Columns and rows of a tile.
 pub(super) const TILE: usize = 8;
 /// Fractional bits of a pixel.
-const FINE: i32 = 5;
+pub(super) const FINE: i32 = 5;
 /// What a corner may be off: three products rounded down and one more, and once more
 /// where it is halved.
 const OFF: i32 = 2;
@@ -29,10 +29,23 @@ pub(super) fn cover(
     bits: &mut Bits,
     bit: u32,
 ) -> bool {
-    let [width, height] = size.map(i32::from);
     let [Some(a), Some(b), Some(c)] = corners.map(|corner| on_screen(beam, corner)) else {
         return all(bits, bit);
     };
+    cover_places(&[a, b, c], faces, (size, 0), bits, bit)
+}
+
+/// The same of corners that are given in `2^-FINE` pixels from the tile's middle, off by 2
+/// at most; of pixels that reach `around` their middles.
+#[inline(always)]
+pub(super) fn cover_places(
+    &[a, b, c]: &[[i32; 2]; 3],
+    faces: Faces,
+    (size, around): ([u16; 2], i32),
+    bits: &mut Bits,
+    bit: u32,
+) -> bool {
+    let [width, height] = size.map(i32::from);
     let spread = |c: i32| (c ^ (c >> 31)) as u32;
     let most = a.into_iter().chain(b).chain(c);
     let most = most.fold(0, |m, c| m | spread(c));
@@ -45,9 +58,10 @@ pub(super) fn cover(
         b.map(|c| c >> down),
         c.map(|c| c >> down),
     );
+    let off = OFF + (around >> down);
     // Twice the area: below 0 of a face that is seen from its front.
     let area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
-    let slack = |dx: i32, dy: i32| OFF * (dx.abs() + dy.abs());
+    let slack = |dx: i32, dy: i32| off * (dx.abs() + dy.abs());
     let slacks = [
         slack(cx - bx, cy - by),
         slack(ax - cx, ay - cy),
@@ -67,11 +81,11 @@ pub(super) fn cover(
     let step = FINE - down as i32;
     let first = |low: i32, size: i32| {
         let start = (1 - size) << (step - 1);
-        ((low - OFF - start + (1 << step) - 1) >> step).max(0)
+        ((low - off - start + (1 << step) - 1) >> step).max(0)
     };
     let last = |high: i32, size: i32| {
         let start = (1 - size) << (step - 1);
-        ((high + OFF - start) >> step).min(size - 1)
+        ((high + off - start) >> step).min(size - 1)
     };
     let (left, right) = (
         first(ax.min(bx).min(cx), width),

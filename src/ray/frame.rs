@@ -98,10 +98,12 @@ pub fn render_frame_watched<D: Display, W: Watch>(
     };
     // 1. Lights; actors follow when first needed.
     let lights = RayLights::new(scene);
+    work.windows.clear();
     let mut tracer = Tracer {
         scene,
         actors: RayActors::new(scene, pose, work.slots, work.spheres),
         lights: &lights,
+        windows: work.windows,
         settings: scene.ray_settings(),
         palette,
         background: scene.viewport_background(0),

@@ -6,14 +6,12 @@
 //! a box around something that is met is met.
 
 use super::actor::GridPlace;
+use super::box_test::{BoxTest, SLOPE_BITS};
 use super::grid_ray::{AXES, GridRay};
 use super::triangle::{Faces, Points, TriangleHit, meet};
 use crate::math::mul_high;
 use crate::scene::layout::RAY_STACK;
 use crate::scene::{Child, Leaf, Mesh, Meshlet, Node, Record, Scene};
-
-/// Bits of a slope, and fractional bits of a place in a node's units.
-const SLOPE_BITS: u32 = 15;
 
 /// A mesh's hierarchy.
 #[derive(Clone, Copy, Debug)]
@@ -48,6 +46,17 @@ struct Way {
     /// Between which distances.
     range: (i32, i32),
     faces: Faces,
+}
+
+impl Way {
+    fn new(faces: Faces, range: (i32, i32)) -> Self {
+        Self {
+            nearest: None,
+            count: 0,
+            range,
+            faces,
+        }
+    }
 }
 
 impl<'a> Hierarchy<'a> {
@@ -94,21 +103,45 @@ impl<'a> Hierarchy<'a> {
         range: (i32, i32),
         triangles: impl Iterator<Item = (u32, u8)>,
     ) -> Option<TriangleHit> {
-        let mut way = Way {
-            nearest: None,
-            count: 0,
-            range,
-            faces,
-        };
+        self.some(ray, faces, range, Wanted::Nearest, triangles)
+            .nearest
+    }
+
+    /// Whether a ray meets any of some triangles.
+    #[inline(always)]
+    pub(super) fn any_of(
+        &self,
+        ray: &GridRay,
+        range: (i32, i32),
+        triangles: impl Iterator<Item = (u32, u8)>,
+    ) -> bool {
+        let way = self.some(ray, Faces::BOTH, range, Wanted::Any, triangles);
+        way.count != 0
+    }
+
+    /// What is met of some triangles.
+    #[inline(always)]
+    fn some(
+        &self,
+        ray: &GridRay,
+        faces: Faces,
+        range: (i32, i32),
+        wanted: Wanted,
+        triangles: impl Iterator<Item = (u32, u8)>,
+    ) -> Way {
+        let mut way = Way::new(faces, range);
         for (meshlet, first) in triangles {
             let leaf = Leaf {
                 meshlet,
                 first,
                 count: 1,
             };
-            self.leaf(ray, leaf, Wanted::Nearest, &mut way);
+            self.leaf(ray, leaf, wanted, &mut way);
+            if wanted == Wanted::Any && way.count != 0 {
+                break;
+            }
         }
-        way.nearest
+        way
     }
 
     /// The nearest triangle that a ray meets within a range, in units of its third axis.
@@ -154,18 +187,13 @@ impl<'a> Hierarchy<'a> {
 
     #[inline(always)]
     fn walk(&self, ray: &GridRay, faces: Faces, range: (i32, i32), wanted: Wanted) -> Way {
-        let mut way = Way {
-            nearest: None,
-            count: 0,
-            range,
-            faces,
-        };
+        let mut way = Way::new(faces, range);
         let mut left = [Left { word: 0, ahead: 0 }; RAY_STACK];
         let mut count = 0usize;
         let mut word = 0u32;
         loop {
             if word >> 31 == 0 {
-                count = self.node(ray, word, way.range, &mut left, count);
+                count = self.node((ray, [0; 2]), word, way.range, &mut left, count);
             } else if let Child::Leaf(leaf) = Child::from_word(word.to_le()) {
                 self.leaf(ray, leaf, wanted, &mut way);
                 if wanted == Wanted::Any && way.count != 0 {
@@ -185,11 +213,40 @@ impl<'a> Hierarchy<'a> {
         }
     }
 
-    /// Leaves the boxes of a node that a ray meets for later, the nearest last.
+    /// Goes through all leaves that parallel rays may meet, which are up to `thick` to the
+    /// sides of this one along both axes and end after `nearest`; `false` if `leaf` said so, and then ended there.
+    pub(super) fn walk_window(
+        &self,
+        ray: &GridRay,
+        thick: [i32; 2],
+        nearest: i32,
+        mut leaf: impl FnMut(Leaf) -> bool,
+    ) -> bool {
+        let mut left = [Left { word: 0, ahead: 0 }; RAY_STACK];
+        let (mut count, mut word) = (0, 0);
+        loop {
+            if word >> 31 == 0 {
+                let range = (nearest, i32::MAX);
+                count = self.node((ray, thick), word, range, &mut left, count);
+            } else if let Child::Leaf(found) = Child::from_word(word.to_le())
+                && !leaf(found)
+            {
+                return false;
+            }
+            let Some(next) = count.checked_sub(1).and_then(|last| left.get(last)) else {
+                return true;
+            };
+            count -= 1;
+            word = next.word;
+        }
+    }
+
+    /// Leaves the boxes of a node for later that a ray meets, or one that is up to `thick`
+    /// to its sides; the nearest last.
     #[inline(always)]
     fn node(
         &self,
-        ray: &GridRay,
+        (ray, thick): (&GridRay, [i32; 2]),
         number: u32,
         (nearest, farthest): (i32, i32),
         left: &mut [Left; RAY_STACK],
@@ -221,8 +278,12 @@ impl<'a> Hierarchy<'a> {
         let small = exponent < 1;
         let exponent = exponent.clamp(1, 23);
         let reach = 1i32 << (exponent + 8).min(30);
-        let missed = |c: i32| (c.wrapping_add(reach) as u32) > 2 * reach as u32;
-        if !small && (missed(x) || missed(y)) {
+        let missed = |c: i32, thick: i32| {
+            let reach = reach + thick;
+            (c.wrapping_add(reach) as u32) > 2 * reach as u32
+        };
+        let [thick_x, thick_y] = thick;
+        if !small && (missed(x, thick_x) || missed(y, thick_y)) {
             return first;
         }
         let down = exponent - 1 - SLOPE_BITS as i32;
@@ -233,9 +294,18 @@ impl<'a> Hierarchy<'a> {
                 c.wrapping_shl(down.unsigned_abs())
             }
         };
-        let (x, y) = (in_units(x), in_units(y));
         // What the slopes' lost bits are on 255 units, and three roundings of a place.
         let margin = 258 + (3 << (SLOPE_BITS + 1) >> exponent);
+        let beside = |c: i32, thick: i32| {
+            if thick > reach {
+                // All boxes of a node that is small beside a window.
+                (0, 1 << (SLOPE_BITS + 9))
+            } else {
+                (in_units(c), margin + in_units(thick))
+            }
+        };
+        let (x, margin_x) = beside(x, thick_x);
+        let (y, margin_y) = beside(y, thick_y);
         let short = |slope: i32| (slope >> 16) + ((slope >> 15) & 1);
         let (sx, sy) = (short(sx), short(sy));
         let steps = |ahead: i32| {
@@ -283,7 +353,7 @@ impl<'a> Hierarchy<'a> {
             z: [z_low, z_high],
             at: [x, y],
             slopes: [sx, sy],
-            margin,
+            margins: [margin_x, margin_y],
             range: (from, to),
             small,
         };
@@ -325,53 +395,6 @@ impl<'a> Hierarchy<'a> {
                 way.nearest = Some(hit);
             }
         }
-    }
-}
-
-/// What the four boxes of a node are tested with: words of a byte a box.
-struct BoxTest {
-    /// The lower sides, the third axis' sides that go with them, and the upper ones.
-    x: [u32; 4],
-    y: [u32; 4],
-    z: [u32; 2],
-    /// Where the ray is.
-    at: [i32; 2],
-    slopes: [i32; 2],
-    margin: i32,
-    /// On the third axis, in units of the node.
-    range: (i32, i32),
-    /// The boxes are too small to tell.
-    small: bool,
-}
-
-impl BoxTest {
-    /// If the ray meets a box, given by its place in the words: its sides on the third
-    /// axis.
-    #[inline(always)]
-    fn meets(&self, shift: u32) -> Option<(i32, i32)> {
-        let byte = |all: u32| (all >> shift & 255) as i32;
-        let [low, high] = self.z.map(byte);
-        if self.small {
-            return Some((low, high));
-        }
-        let (from, to) = self.range;
-        if low > to || high < from {
-            return None;
-        }
-        let ([x, y], [sx, sy]) = (self.at, self.slopes);
-        let [low_side, first, high_side, second] = self.x;
-        if (byte(low_side) << SLOPE_BITS) + x - sx * byte(first) > self.margin
-            || (byte(high_side) << SLOPE_BITS) + x - sx * byte(second) < -self.margin
-        {
-            return None;
-        }
-        let [low_side, first, high_side, second] = self.y;
-        if (byte(low_side) << SLOPE_BITS) + y - sy * byte(first) > self.margin
-            || (byte(high_side) << SLOPE_BITS) + y - sy * byte(second) < -self.margin
-        {
-            return None;
-        }
-        Some((low, high))
     }
 }
 

@@ -4,6 +4,7 @@ use super::actors::RayActors;
 use super::ray::{FAR, Ray, between, moved};
 use super::sequence::on_light;
 use super::surface::Surface;
+use super::windows::Windows;
 use crate::light::{Parts, ShortUnit, WorldLights, WorldSums};
 use crate::math::{Scaled, Unit3, mul_high, short_dot, unit};
 use crate::scene::layout::LIGHTS;
@@ -79,7 +80,7 @@ pub(super) struct Lit<'a> {
 pub(super) fn shine(
     lights: &RayLights,
     scene: &Scene<'_>,
-    actors: &mut RayActors<'_>,
+    (actors, windows): (&mut RayActors<'_>, &mut Windows),
     lit: &Lit<'_>,
     seed: Seed,
 ) -> (Parts, u8) {
@@ -135,7 +136,12 @@ pub(super) fn shine(
                     far,
                     on: lit.on,
                 };
-                let through = passes(scene, actors, &ray);
+                let through = {
+                    let window = light
+                        .is_directional()
+                        .then_some((&mut *windows, number as u8));
+                    passes(scene, actors, &ray, window)
+                };
                 if through == 0 {
                     continue;
                 }
@@ -152,9 +158,15 @@ pub(super) fn shine(
     (sums.parts(lit.material, surface.tint), mask)
 }
 
-/// How much light passes along a ray, 2^16 is all.
+/// How much light passes along a ray, 2^16 is all; `parallel` to a light at infinity, whose
+/// number is given.
 #[inline(never)]
-fn passes(scene: &Scene<'_>, actors: &mut RayActors<'_>, ray: &Ray) -> u32 {
+fn passes(
+    scene: &Scene<'_>,
+    actors: &mut RayActors<'_>,
+    ray: &Ray,
+    mut parallel: Option<(&mut Windows, u8)>,
+) -> u32 {
     let mut through = 1u32 << 16;
     let mut candidates = actors.candidates(ray);
     while let Some(next) = candidates.next() {
@@ -162,7 +174,10 @@ fn passes(scene: &Scene<'_>, actors: &mut RayActors<'_>, ray: &Ray) -> u32 {
             continue;
         };
         let left = (1u32 << 16).saturating_sub(actor.optics.opacity);
-        for _ in 0..actor.in_the_way(scene, ray) {
+        let window = parallel
+            .as_mut()
+            .map(|(windows, light)| (&mut **windows, *light));
+        for _ in 0..actor.in_the_way(scene, ray, window) {
             through = ((through >> 1) * (left >> 1)) >> 14;
             if through == 0 {
                 return 0;

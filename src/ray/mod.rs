@@ -8,6 +8,7 @@ mod actors;
 mod ball;
 mod beam;
 mod bounce;
+mod box_test;
 mod camera;
 mod coarse;
 mod coverage;
@@ -26,6 +27,7 @@ mod surface;
 mod tile;
 mod trace;
 mod triangle;
+mod windows;
 
 pub use actors::RaySlot;
 pub use frame::{RayStats, Seen, Watch, render_frame, render_frame_watched};

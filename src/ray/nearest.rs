@@ -9,6 +9,7 @@ use super::ray::Ray;
 use super::rectangle::RectangleHit;
 use super::surface::{Need, Surface};
 use super::triangle::{Faces, TriangleHit};
+use super::windows::Windows;
 use crate::math::Scaled;
 use crate::scene::{Scene, Shape};
 
@@ -79,7 +80,13 @@ impl RayActor {
     }
 
     /// How often a ray meets this actor; of an opaque one, whether it does.
-    pub(super) fn in_the_way(&self, scene: &Scene<'_>, ray: &Ray) -> u32 {
+    /// Those to a light at infinity, whose number is given, share windows.
+    pub(super) fn in_the_way(
+        &self,
+        scene: &Scene<'_>,
+        ray: &Ray,
+        parallel: Option<(&mut Windows, u8)>,
+    ) -> u32 {
         let first_node = match self.shape {
             Shape::Triangles { first_node, .. } => first_node,
             Shape::Rectangle { half, .. } => {
@@ -97,6 +104,9 @@ impl RayActor {
         let range = (0, grid.units(self, ray.far));
         if self.optics.opacity < 1 << 16 {
             tree.count(&grid, range)
+        } else if let Some((windows, light)) = parallel {
+            let key = (self.number, light);
+            windows.any(&tree, key, &grid).into()
         } else {
             tree.any(&grid, range).into()
         }

@@ -3,6 +3,7 @@
 use super::actors::RaySlot;
 use super::coarse::Sphere;
 use super::gather::Gathered;
+use super::windows::Windows;
 
 /// Working memory of a fixed size; put it into a `static`. `ACTORS` whose places are kept
 /// for the frame, about 0.2 KB each, at least 1. If a scene has more, they are made again
@@ -13,6 +14,7 @@ pub struct RayScratch<const ACTORS: usize> {
     spheres: [Sphere; ACTORS],
     listed: [u16; ACTORS],
     gathered: Gathered,
+    windows: Windows,
 }
 
 impl<const ACTORS: usize> RayScratch<ACTORS> {
@@ -26,6 +28,7 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
             spheres: [Sphere::NONE; ACTORS],
             listed: [0; ACTORS],
             gathered: Gathered::EMPTY,
+            windows: Windows::EMPTY,
         }
     }
 
@@ -36,6 +39,7 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
             spheres: &mut self.spheres,
             listed: &mut self.listed,
             gathered: &mut self.gathered,
+            windows: &mut self.windows,
         }
     }
 }
@@ -56,4 +60,6 @@ pub struct RayWorkspace<'a> {
     pub(super) listed: &'a mut [u16],
     /// Triangles that they may meet.
     pub(super) gathered: &'a mut Gathered,
+    /// Triangles that rays to a light may meet.
+    pub(super) windows: &'a mut Windows,
 }

@@ -139,16 +139,48 @@ impl<W: Watch> Drawing<'_, '_, W> {
         if !gathered && !anyway && camera.eye().is_some() && listed.is_some() {
             return false;
         }
-        for (row, y) in (tile.top..tile.bottom).zip(0..) {
-            for (column, x) in (tile.left..tile.right).zip(0..) {
-                let place = [column, row];
-                let pixel = gathered.then_some(y * coverage::TILE + x);
-                if let Some((shown, depth)) = self.cast(camera, place, 0, count, pixel) {
-                    self.show(target, place, &shown, depth);
+        self.tracer.windows.begin();
+        // Corners first: they tell where rays to lights start.
+        let [right, bottom] = [tile.right - 1, tile.bottom - 1];
+        let ordered = self.tracer.settings.shadows && tile.left < right && tile.top < bottom;
+        if ordered {
+            for place in [
+                [tile.left, tile.top],
+                [right, bottom],
+                [right, tile.top],
+                [tile.left, bottom],
+            ] {
+                self.pixel(camera, target, tile, place, (count, gathered));
+            }
+        }
+        for row in tile.top..tile.bottom {
+            let ends = ordered && (row == tile.top || row == bottom);
+            for column in tile.left..tile.right {
+                if !(ends && (column == tile.left || column == right)) {
+                    self.pixel(camera, target, tile, [column, row], (count, gathered));
                 }
             }
         }
         true
+    }
+
+    /// Draws a pixel of a tile whose triangles were gathered or not.
+    #[inline(always)]
+    fn pixel(
+        &mut self,
+        camera: &RayCamera,
+        target: &mut Target<'_>,
+        tile: &Rect,
+        place: [u16; 2],
+        (count, gathered): (usize, bool),
+    ) {
+        let [column, row] = place;
+        let (x, y) = (column - tile.left, row - tile.top);
+        let pixel = usize::from(y) * coverage::TILE + usize::from(x);
+        let pixel = gathered.then_some(pixel);
+        if let Some((shown, depth)) = self.cast(camera, place, 0, count, pixel) {
+            self.show(target, place, &shown, depth);
+        }
     }
 
     /// What a pixel's ray shows, and its depth; `pixel` is its place among those that

@@ -9,6 +9,7 @@ use super::light::{Lit as LitPoint, RayLights, Seed, shine, shorten};
 use super::nearest::Met;
 use super::ray::{FAR, Ray, moved};
 use super::surface::Need;
+use super::windows::Windows;
 use crate::light::{Lit, Parts, sum};
 use crate::math::{Unit3, dot};
 use crate::palette::Palette;
@@ -51,6 +52,7 @@ pub(super) struct Tracer<'a> {
     pub scene: &'a Scene<'a>,
     pub actors: RayActors<'a>,
     pub lights: &'a RayLights,
+    pub windows: &'a mut Windows,
     pub settings: RaySettings,
     pub palette: Palette<'a>,
     pub background: Gradient<'a>,
@@ -159,7 +161,13 @@ impl Tracer<'_> {
             lift,
             on: if exact { number + 1 } else { 0 },
         };
-        let (parts, lights) = shine(self.lights, self.scene, &mut self.actors, &lit, seed);
+        let (parts, lights) = shine(
+            self.lights,
+            self.scene,
+            (&mut self.actors, self.windows),
+            &lit,
+            seed,
+        );
         let (lit, base) = self.textured(&material, mesh, surface.coordinates, parts);
         let facing = goes_on.then(|| {
             let facing = Facing::new(&surface, ray.direction);
