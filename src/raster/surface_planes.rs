@@ -286,13 +286,14 @@ impl<const A: usize> Surface<A> {
         let ratio = ratio.wrapping_add(square).wrapping_add(cube);
         let ratio = if pixels == 1 { 0 } else { ratio };
         let over = OVER.get(pixels as usize).copied().unwrap_or(0);
-        let part = |v: i32| mul_high(v, over) << 1;
         for ((step, bend), (from, to)) in all {
             let change = to.wrapping_sub(*from);
+            // At most a third of the change: four times its part a pixel fits.
             let off = mul_high(change, ratio << (31 - RUN_FRACTION)) << 1;
-            let own = part(off);
-            *step = part(change + off - own);
-            *bend = part(-own) << 1;
+            let own = mul_high(off << 1, over);
+            // Rounded: along the run what is off here adds up to half its square.
+            *bend = -mul_high((own << 2).wrapping_add(pixels), over);
+            *step = mul_high(change + off - own, over) << 1;
         }
         [steps, bends]
     }
