@@ -3,26 +3,68 @@
 
 use std::{env, fs, path::Path};
 
-/// mps2-an385 and mps2-an386: 4 MB of SSRAM at 0, which stands for flash, and
-/// 4 MB of RAM. The upper half of the flash is kept for a scene, which the
-/// emulator loads there (`SCENE_ADDRESS` in `src/lib.rs`).
-const MEMORY: &str = "\
-MEMORY
-{
-  FLASH : ORIGIN = 0x00000000, LENGTH = 2M
-  RAM : ORIGIN = 0x20000000, LENGTH = 4M
+/// A machine's memory. The upper half of the flash is kept for a scene, which
+/// the emulator loads there.
+struct Map {
+    /// Where flash starts, and its size.
+    flash: (u32, u32),
+    /// The same of RAM.
+    ram: (u32, u32),
 }
-";
+
+/// mps2-an385, an386 and an500: 4 MB of SSRAM at 0, which stands for flash, and
+/// 4 MB of RAM.
+const MPS2: Map = Map {
+    flash: (0, 4 << 20),
+    ram: (0x2000_0000, 4 << 20),
+};
+/// mps2-an505, in its secure state: SSRAM1, and SSRAM2.
+const AN505: Map = Map {
+    flash: (0x1000_0000, 4 << 20),
+    ram: (0x3800_0000, 2 << 20),
+};
+/// nRF51822.
+const MICROBIT: Map = Map {
+    flash: (0, 256 << 10),
+    ram: (0x2000_0000, 16 << 10),
+};
 
 fn main() {
     let out = env::var("OUT_DIR").expect("cargo sets OUT_DIR");
-    fs::write(Path::new(&out).join("memory.x"), MEMORY).expect("OUT_DIR can be written");
-    println!("cargo:rustc-link-search={out}");
+    let target = env::var("TARGET").expect("cargo sets TARGET");
+    let microbit = env::var_os("CARGO_FEATURE_MICROBIT").is_some();
+    let map = match target.as_str() {
+        _ if microbit => MICROBIT,
+        "thumbv8m.main-none-eabihf" => AN505,
+        _ => MPS2,
+    };
+    let (flash, half) = (map.flash.0, map.flash.1 / 2);
+    let (ram, ram_bytes) = map.ram;
+    let memory = format!(
+        "MEMORY\n{{\n  \
+           FLASH : ORIGIN = {flash:#010x}, LENGTH = {half:#x}\n  \
+           RAM : ORIGIN = {ram:#010x}, LENGTH = {ram_bytes:#x}\n}}\n"
+    );
+    let scene = flash + half;
+    let code = format!(
+        "/// Where the emulator's loader puts a scene: the upper half of the flash.\n\
+         pub const SCENE_ADDRESS: usize = {scene:#x};\n\
+         /// Bytes from there to the end of the flash.\n\
+         pub const SCENE_CAPACITY: usize = {half:#x};\n"
+    );
+    let out = Path::new(&out);
+    fs::write(out.join("memory.x"), memory).expect("OUT_DIR can be written");
+    fs::write(out.join("scene.rs"), code).expect("OUT_DIR can be written");
+    println!("cargo:rustc-link-search={}", out.display());
     println!("cargo:rustc-link-arg-bins=--nmagic");
     println!("cargo:rustc-link-arg-bins=-Tlink.x");
     println!("cargo:rustc-check-cfg=cfg(thumbv6m)");
-    if env::var("TARGET").is_ok_and(|target| target.starts_with("thumbv6m")) {
+    println!("cargo:rustc-check-cfg=cfg(counted)");
+    if target.starts_with("thumbv6m") {
         println!("cargo:rustc-cfg=thumbv6m");
+    }
+    if map.flash == MPS2.flash {
+        println!("cargo:rustc-cfg=counted");
     }
     println!("cargo:rerun-if-changed=build.rs");
 }

@@ -7,9 +7,9 @@ use fixel::palette::Rgb565Table;
 use crate::engine::{self, Buffers, EngineError, Scratch};
 
 /// Rows in a band.
-pub const BAND_ROWS: usize = 16;
+pub const BAND_ROWS: usize = if cfg!(feature = "small") { 8 } else { 16 };
 /// The widest picture.
-pub const WIDTH: usize = 320;
+pub const WIDTH: usize = if cfg!(feature = "small") { 128 } else { 320 };
 const PIXELS: usize = WIDTH * BAND_ROWS;
 
 /// All the RAM that a frame needs, whatever its mesh and its height.

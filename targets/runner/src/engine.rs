@@ -33,12 +33,18 @@ impl EngineError {
 /// Meshlets that are listed at once, unless a target says otherwise. The
 /// measuring and the demo firmware use the same, so that speed and RAM belong
 /// together.
-pub const MESHLETS: usize = 64;
+pub const MESHLETS: usize = if cfg!(feature = "small") { 32 } else { 64 };
 /// Meshlets that are kept from band to band: as many as 10 KB hold, of which each also
 /// keeps colours where a scene may use them.
-pub const SLOTS: usize = if cfg!(feature = "whole") { 10 } else { 13 };
+pub const SLOTS: usize = if cfg!(feature = "small") {
+    2
+} else if cfg!(feature = "whole") {
+    10
+} else {
+    13
+};
 /// Actors whose matrices are kept.
-pub const ACTORS: usize = 4;
+pub const ACTORS: usize = if cfg!(feature = "small") { 1 } else { 4 };
 /// The renderer's working memory of that size.
 pub type Scratch = fixel::Scratch<MESHLETS, SLOTS, ACTORS>;
 

@@ -25,7 +25,7 @@ struct Figures {
 /// Renders the scenes named, or else every bench scene, on every target; gives
 /// `{"scene": {"target": {"instructions": n, ...}}}`.
 pub fn run(tally: &mut Tally, names: &[String]) -> Result<Value> {
-    let ready: Vec<Ready> = Target::all()
+    let ready: Vec<Ready> = Target::measured()
         .into_iter()
         .filter_map(|target| tally.need(&format!("bench on {}", target.name()), target.prepare()))
         .collect();
@@ -112,7 +112,7 @@ pub fn markdown(figures: &Value) -> String {
     let rows: Vec<Vec<String>> = scene::bench()
         .map(|name| {
             let peer = peers::find(name);
-            let covered = Target::all()
+            let covered = Target::measured()
                 .iter()
                 .find_map(|target| figures[name][target.name()]["covered_px"].as_u64());
             let what = peer.map_or(name, |peer| peer.what);

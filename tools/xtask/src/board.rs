@@ -1,8 +1,8 @@
 //! The platforms that firmware is built for and run on.
 
-/// How an emulator is started.
+/// How a QEMU machine is started.
 #[derive(Debug)]
-pub struct Machine {
+pub struct Qemu {
     /// The emulator's program.
     pub program: &'static str,
     /// The Debian package that has it.
@@ -11,6 +11,16 @@ pub struct Machine {
     pub arguments: &'static [&'static str],
     /// Where the measuring firmware expects a scene.
     pub scene_address: u32,
+}
+
+/// What runs a board's firmware.
+#[derive(Debug)]
+pub enum Machine {
+    /// QEMU, by semihosting.
+    Qemu(Qemu),
+    /// Node, by a script in the board's folder, which takes the arguments of the
+    /// host's measuring program after the module.
+    Node(&'static str),
 }
 
 /// One platform.
@@ -24,66 +34,175 @@ pub struct Board {
     pub folder: &'static str,
     /// Rust's name of the target.
     pub target: &'static str,
+    /// The measuring firmware's features, where they are not the crate's usual
+    /// ones.
+    pub features: Option<&'static str>,
     /// Its emulator.
     pub machine: Machine,
+    /// Scenes that are compared there; all if there is no list.
+    pub scenes: Option<&'static [&'static str]>,
 }
 
-/// Every board that an emulator runs.
+/// One scene of each kind of inner loop: flat, Gouraud and textured spans, colours,
+/// fog with blending, lines, and rays.
+const EVERY_KERNEL: [&str; 8] = [
+    "blend_fog",
+    "lines_markers_text",
+    "many_actors",
+    "r3_spheres_whitted",
+    "spot",
+    "w1_teapot_flat",
+    "w2_teapot_gouraud",
+    "w4_cube_textured",
+];
+/// What fits the micro:bit's 16 KB of RAM and the 128 KB of its flash that are kept
+/// for a scene.
+const SMALL: [&str; 3] = ["teapot_128x64", "w1_teapot_flat", "w6_bunny_64x64"];
+
+const fn arm(arguments: &'static [&'static str], scene_address: u32) -> Machine {
+    Machine::Qemu(Qemu {
+        program: "qemu-system-arm",
+        package: "qemu-system-arm",
+        arguments,
+        scene_address,
+    })
+}
+
+/// The boards that are measured, and that every scene is compared on.
 pub const BOARDS: [Board; 3] = [
     Board {
         name: "cortex-m0plus",
         what: "thumbv6m code, as for a Cortex-M0+, on QEMU's mps2-an385",
         folder: "cortex-m",
         target: "thumbv6m-none-eabi",
-        machine: Machine {
-            program: "qemu-system-arm",
-            package: "qemu-system-arm",
-            arguments: &["-machine", "mps2-an385", "-icount", "shift=7"],
-            scene_address: 0x0020_0000,
-        },
+        features: None,
+        machine: arm(
+            &["-machine", "mps2-an385", "-icount", "shift=7"],
+            0x0020_0000,
+        ),
+        scenes: None,
     },
     Board {
         name: "cortex-m4f",
         what: "Cortex-M4F, QEMU's mps2-an386",
         folder: "cortex-m",
         target: "thumbv7em-none-eabihf",
-        machine: Machine {
-            program: "qemu-system-arm",
-            package: "qemu-system-arm",
-            arguments: &["-machine", "mps2-an386", "-icount", "shift=7"],
-            scene_address: 0x0020_0000,
-        },
+        features: None,
+        machine: arm(
+            &["-machine", "mps2-an386", "-icount", "shift=7"],
+            0x0020_0000,
+        ),
+        scenes: None,
     },
     Board {
         name: "riscv32imc",
         what: "RISC-V with 32-bit integers and multiplication, QEMU's virt",
         folder: "riscv",
         target: "riscv32imc-unknown-none-elf",
-        machine: Machine {
+        features: None,
+        machine: Machine::Qemu(Qemu {
             program: "qemu-system-riscv32",
             package: "qemu-system-misc",
             arguments: &["-machine", "virt", "-bios", "none", "-icount", "shift=0"],
             scene_address: 0x8080_0000,
-        },
+        }),
+        scenes: None,
     },
 ];
 
+/// Boards that show the same bytes once more, in a few scenes.
+pub const OTHERS: [Board; 5] = [
+    Board {
+        name: "microbit",
+        what: "Cortex-M0 with 16 KB of RAM, QEMU's microbit",
+        folder: "cortex-m",
+        target: "thumbv6m-none-eabi",
+        features: Some("microbit,gouraud"),
+        machine: arm(&["-machine", "microbit"], 0x0002_0000),
+        scenes: Some(&SMALL),
+    },
+    Board {
+        name: "cortex-m3",
+        what: "Cortex-M3, QEMU's mps2-an385",
+        folder: "cortex-m",
+        target: "thumbv7m-none-eabi",
+        features: None,
+        machine: arm(
+            &["-machine", "mps2-an385", "-icount", "shift=7"],
+            0x0020_0000,
+        ),
+        scenes: Some(&EVERY_KERNEL),
+    },
+    Board {
+        name: "cortex-m7",
+        what: "Cortex-M7, QEMU's mps2-an500",
+        folder: "cortex-m",
+        target: "thumbv7em-none-eabihf",
+        features: None,
+        machine: arm(
+            &["-machine", "mps2-an500", "-icount", "shift=7"],
+            0x0020_0000,
+        ),
+        scenes: Some(&EVERY_KERNEL),
+    },
+    Board {
+        name: "cortex-m33",
+        what: "Cortex-M33, QEMU's mps2-an505",
+        folder: "cortex-m",
+        target: "thumbv8m.main-none-eabihf",
+        features: None,
+        machine: arm(&["-machine", "mps2-an505"], 0x1020_0000),
+        scenes: Some(&EVERY_KERNEL),
+    },
+    Board {
+        name: "wasm",
+        what: "WebAssembly, in Node",
+        folder: "wasm",
+        target: "wasm32-unknown-unknown",
+        features: None,
+        machine: Machine::Node("run.mjs"),
+        scenes: Some(&EVERY_KERNEL),
+    },
+];
+
+impl Board {
+    /// Whether a scene is compared there.
+    pub fn takes(&self, scene: &str) -> bool {
+        self.scenes.is_none_or(|scenes| scenes.contains(&scene))
+    }
+}
+
+/// Every board.
+pub fn all() -> impl Iterator<Item = &'static Board> {
+    BOARDS.iter().chain(&OTHERS)
+}
+
 /// The board of that name; the error names those that there are.
 pub fn find(name: &str) -> Result<&'static Board, String> {
-    BOARDS
-        .iter()
-        .find(|board| board.name == name)
-        .ok_or_else(|| {
-            let names: Vec<_> = BOARDS.iter().map(|board| board.name).collect();
-            format!("no board is called that; there are {}", names.join(", "))
-        })
+    all().find(|board| board.name == name).ok_or_else(|| {
+        let names: Vec<_> = all().map(|board| board.name).collect();
+        format!("no board is called that; there are {}", names.join(", "))
+    })
 }
 
 /// The names of all boards, with what they are, for the help text.
 pub fn list() -> String {
     let mut text = String::from("Boards:\n");
-    for board in &BOARDS {
+    for board in all() {
         text.push_str(&format!("  {:<14} {}\n", board.name, board.what));
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_scenes_of_lists_exist() {
+        for board in super::all() {
+            for name in board.scenes.unwrap_or_default() {
+                let file = crate::scene::file(name);
+                assert!(file.exists(), "{}: {}", board.name, file.display());
+            }
+        }
+    }
 }

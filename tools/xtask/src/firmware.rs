@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::board::Board;
+use crate::board::{Board, Machine};
 use crate::problem::{Problem, Result};
 use crate::toolchain::{self, Route};
 use crate::{child, elf, paths, scene};
@@ -23,6 +23,9 @@ pub fn measuring(board: &Board) -> Result<PathBuf> {
     let route = toolchain::provide(board.target)?;
     let mut command = cargo_build(route, board);
     command.args(["--bin", "measure"]);
+    if let Some(features) = board.features {
+        command.args(["--no-default-features", "--features", features]);
+    }
     child::visibly(&mut command)?;
     Ok(built(board, "measure"))
 }
@@ -167,11 +170,21 @@ fn cargo_build(route: Route, board: &Board) -> Command {
     cargo(route, board, "build")
 }
 
+/// Boards whose firmware differs in its features alone do not overwrite each
+/// other's.
 fn target_folder(board: &Board) -> PathBuf {
-    paths::target_crate(board.folder).join("target")
+    let folder = paths::target_crate(board.folder).join("target");
+    match board.features {
+        Some(_) => folder.join(board.name),
+        None => folder,
+    }
 }
 
 fn built(board: &Board, binary: &str) -> PathBuf {
     let folder = target_folder(board).join(board.target);
-    folder.join("release").join(Path::new(binary))
+    let name = match board.machine {
+        Machine::Qemu(_) => binary.to_owned(),
+        Machine::Node(_) => format!("{binary}.wasm"),
+    };
+    folder.join("release").join(Path::new(&name))
 }

@@ -7,7 +7,7 @@ use crate::board::{BOARDS, Board};
 use crate::firmware::Parts;
 use crate::problem::Result;
 use crate::report::{Tally, table};
-use crate::{elf, firmware, qemu, scene};
+use crate::{elf, emulator, firmware, scene};
 
 /// Most static RAM and stack of the Cortex-M0+ demo, in bytes.
 const RAM_LIMIT: u64 = 32 * 1024;
@@ -136,8 +136,8 @@ fn one(board: &Board, case: &Case, tally: &mut Tally) -> Result<Footprint> {
         let what = format!("{} of {} on {}", case.parts.name(), case.name, board.name);
         tally.check(&what, only(&demo.image, case.parts));
     }
-    qemu::provide(&board.machine)?;
-    let text = qemu::run(board, &demo.path, None, &[])?;
+    emulator::provide(board)?;
+    let text = emulator::run(board, &demo.path, &[])?;
     Ok(Footprint {
         code: demo.image.code_bytes(),
         static_ram: demo.image.static_ram_bytes,

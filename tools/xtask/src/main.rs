@@ -11,6 +11,7 @@ mod board;
 mod child;
 mod debian;
 mod elf;
+mod emulator;
 mod firmware;
 mod footprint;
 mod gallery;

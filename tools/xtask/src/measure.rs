@@ -7,11 +7,11 @@ use std::time::Duration;
 
 use serde::Deserialize;
 
-use crate::board::{BOARDS, Board};
+use crate::board::{self, BOARDS, Board};
 use crate::firmware::{self, HostProfile};
 use crate::problem::{Problem, Result};
 use crate::scene::Baked;
-use crate::{child, qemu};
+use crate::{child, emulator};
 
 /// A run on the host that takes longer hangs.
 const HOST_LIMIT: Duration = Duration::from_secs(300);
@@ -37,12 +37,27 @@ impl Target {
         }
     }
 
-    /// The host, then every board.
-    pub fn all() -> Vec<Self> {
+    /// The host, then every board that is measured.
+    pub fn measured() -> Vec<Self> {
         let boards = BOARDS.iter().map(Self::Board);
         std::iter::once(Self::Host(HostProfile::Release))
             .chain(boards)
             .collect()
+    }
+
+    /// The host, also as it is checked, and every board.
+    pub fn all() -> Vec<Self> {
+        let profiles = [HostProfile::Release, HostProfile::Checked];
+        let hosts = profiles.into_iter().map(Self::Host);
+        hosts.chain(board::all().map(Self::Board)).collect()
+    }
+
+    /// Whether a scene is compared there, if no scene is asked for.
+    pub fn takes(self, scene: &str) -> bool {
+        match self {
+            Self::Host(_) => true,
+            Self::Board(board) => board.takes(scene),
+        }
     }
 
     /// Builds the program, and gets what it needs.
@@ -51,7 +66,7 @@ impl Target {
             Self::Host(profile) => firmware::host(profile)?,
             Self::Board(board) => {
                 let program = firmware::measuring(board)?;
-                qemu::provide(&board.machine)?;
+                emulator::provide(board)?;
                 program
             }
         };
@@ -119,11 +134,7 @@ impl Ready {
                 }
                 finished.stdout
             }
-            Target::Board(board) => {
-                let mut all = vec!["render".to_owned(), scene.bytes.to_string()];
-                all.extend(arguments);
-                qemu::run(board, &self.program, Some(&scene.path), &all)?
-            }
+            Target::Board(board) => emulator::render(board, &self.program, scene, &arguments)?,
         };
         let lines = parse(&text)?;
         if lines.len() != frames.len() {
@@ -144,7 +155,7 @@ impl Ready {
         let Target::Board(board) = self.target else {
             return Err("the host does not count instructions".into());
         };
-        let text = qemu::run(board, &self.program, None, &["selftest".into()])?;
+        let text = emulator::run(board, &self.program, &["selftest".into()])?;
         exact_loops(&text)
     }
 }

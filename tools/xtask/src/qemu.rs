@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
 
-use crate::board::{Board, Machine};
+use crate::board::Qemu;
 use crate::problem::{Problem, Result};
 use crate::{child, debian};
 
@@ -12,7 +12,7 @@ use crate::{child, debian};
 const LIMIT: Duration = Duration::from_secs(300);
 
 /// Finds or installs a board's emulator.
-pub fn provide(machine: &Machine) -> Result<()> {
+pub fn provide(machine: &Qemu) -> Result<()> {
     if debian::which(machine.program).is_some() {
         return Ok(());
     }
@@ -32,12 +32,12 @@ pub fn provide(machine: &Machine) -> Result<()> {
 /// Runs a firmware with semihosting arguments, and a scene in memory if one is
 /// given. Gives its standard output; fails if the firmware says so.
 pub fn run(
-    board: &Board,
+    name: &str,
+    machine: &Qemu,
     elf: &Path,
     scene: Option<&Path>,
     arguments: &[String],
 ) -> Result<String> {
-    let machine = &board.machine;
     let mut semihosting = String::from("enable=on,target=native");
     for argument in arguments {
         // A comma separates options; doubled it stands for itself.
@@ -63,8 +63,7 @@ pub fn run(
         return Ok(finished.stdout);
     }
     Err(format!(
-        "{} firmware failed: {}",
-        board.name,
+        "{name} firmware failed: {}",
         reason(&finished.stdout, &finished.stderr)
     )
     .into())

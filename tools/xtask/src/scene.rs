@@ -24,7 +24,7 @@ pub const RAY_BENCH: [&str; 3] = ["r1_bunny_rays", "r2_bunny_shadow", "r3_sphere
 pub const SMALL: &str = "w2_teapot_gouraud";
 
 /// Folders of scenes.
-const FOLDERS: [&str; 3] = ["scenes", "scenes/bench", "scenes/ray"];
+const FOLDERS: [&str; 4] = ["scenes", "scenes/bench", "scenes/ray", "scenes/small"];
 
 /// Every scene that is measured.
 pub fn bench() -> impl Iterator<Item = &'static str> {

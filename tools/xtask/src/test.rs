@@ -34,7 +34,7 @@ const STAGES: [Stage; 9] = [
 /// Crates in `targets/` that the host builds and tests.
 const HOST_CRATES: [&str; 2] = ["runner", "host"];
 /// All crates in `targets/`.
-const TARGET_CRATES: [&str; 4] = ["runner", "host", "cortex-m", "riscv"];
+const TARGET_CRATES: [&str; 5] = ["runner", "host", "cortex-m", "riscv", "wasm"];
 
 /// The stages' names.
 pub fn names() -> Vec<&'static str> {

@@ -18,6 +18,8 @@ use crate::{child, debian, paths};
 /// Debian's compiler, its cargo, the source of `core`, and a linker.
 const DEBIAN_PACKAGES: [&str; 4] = ["rustc-web", "cargo-web", "rust-web-src", "lld-22"];
 const DEBIAN_LINKER: &str = "ld.lld-22";
+/// The same linker under the name by which it asks for the kind of output.
+const DEBIAN_WASM_LINKER: &str = "lld-22";
 const DEBIAN_CORE: &str = "/usr/lib/rustlib/src/rust/library/core/Cargo.toml";
 /// How long a download may take before the next way is tried.
 const DOWNLOAD_LIMIT: Duration = Duration::from_secs(300);
@@ -45,13 +47,18 @@ impl Route {
             folders.extend(std::env::split_paths(&path));
             let linker = format!(
                 "CARGO_TARGET_{}_LINKER",
-                target.to_uppercase().replace('-', "_")
+                target.to_uppercase().replace(['-', '.'], "_")
             );
+            let program = if target.starts_with("wasm") {
+                DEBIAN_WASM_LINKER
+            } else {
+                DEBIAN_LINKER
+            };
             command
                 .env("PATH", std::env::join_paths(folders).unwrap_or(path))
                 .env("RUSTC_BOOTSTRAP", "1")
                 .env("CARGO_UNSTABLE_BUILD_STD", "core")
-                .env(linker, DEBIAN_LINKER)
+                .env(linker, program)
                 .env_remove("RUSTUP_TOOLCHAIN");
         }
         command

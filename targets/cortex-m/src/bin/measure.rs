@@ -6,8 +6,12 @@
 use fixel_cortex_m::{InstructionCounter, SCENE_ADDRESS, SCENE_CAPACITY};
 use fixel_runner::Memory;
 
-/// The largest picture in one band.
-const PIXELS: usize = 320 * 240;
+/// The largest picture in one band; a part of it where RAM is short.
+const PIXELS: usize = if cfg!(feature = "microbit") {
+    128 * 4
+} else {
+    320 * 240
+};
 
 static mut MEMORY: Memory<PIXELS> = Memory::new();
 
