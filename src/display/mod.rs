@@ -1,15 +1,19 @@
 //! Where finished rows go. In: [`BandRows`] and the palette. Out: a panel's
 //! pixels. Used by `render`, implemented by applications.
 
+mod dither;
 mod draw_target;
 mod draw_target_rows;
+mod packed;
 mod resolve;
 
 use crate::frame::BandRows;
 use crate::palette::Palette;
 
+pub use dither::{Diffused, Dither, Nearest, Ordered};
 pub use draw_target::DrawTargetDisplay;
 pub use draw_target_rows::DrawTargetRows;
+pub use packed::{Packed, PackedRows, Packing};
 pub use resolve::{Resolve, Rgb565Rows};
 
 /// A panel, or anything that takes rows from the top of the screen to its

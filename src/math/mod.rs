@@ -3,6 +3,8 @@
 //! quotients, tables with a stated error. Used by all stages; imports none.
 
 mod angle;
+mod bayer;
+mod blue_noise;
 mod formats;
 mod length;
 mod octahedral;
@@ -17,6 +19,8 @@ mod vector;
 mod wide;
 
 pub use angle::Angle;
+pub use bayer::{bayer4, bayer8};
+pub use blue_noise::blue_noise;
 pub use formats::{
     Depth, Factor, FineDepth, FineLevel, HALF_PX, Level, MAX_SCREEN, SUBPX_BITS, SubPx, World,
 };

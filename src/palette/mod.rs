@@ -1,9 +1,13 @@
 //! From palette indices to a panel's colours. In: indices of finished rows and
 //! the palette. Out: bytes that a panel takes. Used by `display`.
 
+mod packed;
 mod rgb565;
+mod tones;
 
+pub use packed::{Rgb444Table, pack_rgb888};
 pub use rgb565::{Rgb565Table, rgb565, rgb565_of_sum};
+pub use tones::{Tone, Tones, luma, tone};
 
 /// Red, green and blue of up to 256 entries, 8 bits each.
 #[derive(Clone, Copy, Debug)]

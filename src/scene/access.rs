@@ -2,8 +2,8 @@
 
 use super::viewport::Gradient;
 use super::{
-    Actor, ColourFormat, Dither, DitherPattern, Header, Light, Material, Mesh, Meshlet, Record,
-    Scene, Texture, layout,
+    Actor, ColourFormat, Dither, DitherPattern, Header, Light, Material, Mesh, Meshlet,
+    PanelDithering, Record, Scene, Texture, layout,
 };
 
 impl<'a> Scene<'a> {
@@ -34,6 +34,15 @@ impl<'a> Scene<'a> {
             .get(code)
             .copied()
             .unwrap_or(ColourFormat::Rgb888)
+    }
+
+    /// How the panel's levels are mixed, if it is grey and has few of them.
+    pub fn panel_dithering(&self) -> PanelDithering {
+        let code = usize::from(self.header.panel_dithering);
+        PanelDithering::ALL
+            .get(code)
+            .copied()
+            .unwrap_or(PanelDithering::None)
     }
 
     /// How colours between palette entries are shown.

@@ -131,6 +131,7 @@ pub enum Field {
     Power,
     Coloured,
     Dither,
+    PanelDithering,
     Samples,
     Eyes,
     PaletteCycle,

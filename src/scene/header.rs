@@ -16,6 +16,8 @@ pub struct Header {
     pub height: u16,
     /// Index into [`ColourFormat::ALL`](super::ColourFormat::ALL).
     pub colour_format: u8,
+    /// Index into [`PanelDithering::ALL`](super::PanelDithering::ALL).
+    pub panel_dithering: u8,
     /// World units are scene units times 2 to this power.
     pub world_exponent: i8,
     /// The world's origin, in `2^centre_exponent` scene units: not 0 only if the
@@ -60,13 +62,14 @@ impl Record for Header {
             cycle_frames,
             camera @ ..,
         ] = words;
-        let [format, exponent, centre_exponent, _] = format.to_ne_bytes();
+        let [format, exponent, centre_exponent, panel_dithering] = format.to_ne_bytes();
         Self {
             length: u(*length),
             checksum: u(*checksum),
             width: u(*size) as u16,
             height: (u(*size) >> 16) as u16,
             colour_format: format,
+            panel_dithering,
             world_exponent: exponent as i8,
             world_centre: [i(*c0), i(*c1), i(*c2)],
             centre_exponent: centre_exponent as i8,
@@ -83,7 +86,7 @@ impl Record for Header {
     fn to_words(&self) -> Self::Words {
         let size = u32::from(self.width) | u32::from(self.height) << 16;
         let [world, centre] = [self.world_exponent, self.centre_exponent].map(|e| e as u8);
-        let format = [self.colour_format, world, centre, 0];
+        let format = [self.colour_format, world, centre, self.panel_dithering];
         let (first, count) = self.cycle;
         let cycle = u32::from(first) | u32::from(count) << 16;
         let dither = u32::from(self.dither_pattern) | u32::from(self.dither_spread) << 16;

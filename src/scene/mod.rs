@@ -34,7 +34,9 @@ pub use output::{Output, Stereo};
 pub use parse::Scene;
 pub use pose::{Camera, Place, Placement, Pose, Projection};
 pub use ray::{Child, Leaf, LightArea, Node, Optics, RaySettings, Shape};
-pub use records::{Actor, ColourFormat, Coordinates, Mesh, Meshlet, Record, checksum};
+pub use records::{
+    Actor, ColourFormat, Coordinates, Mesh, Meshlet, PanelDithering, Record, checksum,
+};
 pub use texture::{NO_TEXEL, Texture, Wrap};
 pub use track::{Key, Quantity, Track};
 pub use viewport::{FULL_SIDE, Gradient, PlacedViewport, Viewport};

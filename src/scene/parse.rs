@@ -6,8 +6,8 @@ use bytemuck::{AnyBitPattern, try_cast_slice};
 use super::layout;
 use super::{
     Actor, ColourFormat, DitherPattern, Field, Fog, Header, Key, Light, LightArea, Look, Material,
-    Mesh, Meshlet, Node, Optics, Output, RaySettings, Record, SceneError, Section, Shape, Texture,
-    Track, Viewport, checksum,
+    Mesh, Meshlet, Node, Optics, Output, PanelDithering, RaySettings, Record, SceneError, Section,
+    Shape, Texture, Track, Viewport, checksum,
 };
 
 /// A checked scene, read in place from flash.
@@ -296,6 +296,9 @@ fn check_header(header: &Header) -> Result<(), SceneError> {
         0,
         formats - 1,
     )?;
+    let ways = PanelDithering::ALL.len() as i64;
+    let way = header.panel_dithering.into();
+    check(Field::PanelDithering, way, 0, ways - 1)?;
     let patterns = DitherPattern::ALL.len() as i64;
     let (pattern, spread) = (header.dither_pattern.into(), header.dither_spread.into());
     check(Field::Dither, pattern, 0, patterns - 1)?;

@@ -58,6 +58,33 @@ impl ColourFormat {
     ];
 }
 
+/// How the levels of a panel with few of them are mixed: see
+/// [`display`](crate::display).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PanelDithering {
+    /// The nearest level.
+    None,
+    /// A pattern of 4 by 4 pixels.
+    Bayer4,
+    /// A pattern of 8 by 8 pixels.
+    Bayer8,
+    /// 32 by 32 pixels without a visible pattern.
+    BlueNoise,
+    /// Error diffusion.
+    FloydSteinberg,
+}
+
+impl PanelDithering {
+    /// All, in the order of their codes.
+    pub const ALL: [Self; 5] = [
+        Self::None,
+        Self::Bayer4,
+        Self::Bayer8,
+        Self::BlueNoise,
+        Self::FloydSteinberg,
+    ];
+}
+
 /// A mesh placed in its parent's space, or in the world. A grid point `q` of the
 /// mesh goes to `position + R (offset + q * step)`, with `R` from `orientation`;
 /// then, if there is a parent, to `parent's position + parent's R that`.

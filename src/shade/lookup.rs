@@ -1,7 +1,7 @@
 //! From light to a palette index.
 
-use super::bayer::{bayer4, bayer8};
 use crate::light::Lit;
+use crate::math::{bayer4, bayer8};
 use crate::scene::layout::{BASES, COLOURS, TEXTURE_SHADES};
 use crate::scene::{Dither, DitherPattern};
 

@@ -2,7 +2,6 @@
 //! pixels with their attributes. Out: light, level or colour, and the palette index
 //! for it. Used by `render`.
 
-mod bayer;
 mod lookup;
 mod strip;
 mod surface;

@@ -1,8 +1,7 @@
 //! Surfaces that let what is behind them show through.
 
-use super::bayer::bayer8;
 use super::lookup::{Lookup, Pixel, dithered};
-use crate::math::Depth;
+use crate::math::{Depth, bayer8};
 use crate::raster::{LONGEST_RUN, Run};
 use crate::scene::Dither;
 

@@ -19,7 +19,7 @@ const ALLOWED: [(&str, &[&str]); 15] = [
     ("fog", &["frame", "math", "scene", "view"]),
     ("shade", &["light", "math", "raster", "scene"]),
     ("palette", &["frame"]),
-    ("display", &["frame", "palette", "scene"]),
+    ("display", &["frame", "math", "palette", "scene"]),
     (
         "ray",
         &[
@@ -50,7 +50,10 @@ fn sources(folder: &Path, into: &mut Vec<(String, String)>) {
         let path = entry.expect("an entry").path();
         if path.is_dir() {
             sources(&path, into);
-        } else if !path.ends_with("tests.rs") && !folder.ends_with("tests") {
+        } else if path.extension().is_some_and(|e| e == "rs")
+            && !path.ends_with("tests.rs")
+            && !folder.ends_with("tests")
+        {
             let text = fs::read_to_string(&path).expect("a source file");
             into.push((path.display().to_string(), text));
         }

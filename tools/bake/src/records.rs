@@ -2,7 +2,9 @@
 
 use fixel::scene::layout::STEP_EXPONENTS;
 use fixel::scene::{self as core_scene, CameraRecord, Header};
-use fixel_scene::{Camera, ColourFormat, Dithering, Element, Projection, Scene, Space};
+use fixel_scene::{
+    Camera, ColourFormat, Dithering, Element, PanelDithering, Projection, Scene, Space,
+};
 use glam::DVec3;
 
 use crate::error::{BakeError, Problem, Spot};
@@ -28,6 +30,7 @@ pub(crate) fn header(scene: &Scene, units: &Units, spread: f64) -> Result<Header
             ColourFormat::Gray2 => 5,
             ColourFormat::Mono => 6,
         },
+        panel_dithering: panel_dithering(scene.display.dithering) as u8,
         world_exponent: units.exponent as i8,
         world_centre: units.centre,
         centre_exponent: units.centre_exponent as i8,
@@ -43,6 +46,26 @@ pub(crate) fn header(scene: &Scene, units: &Units, spread: f64) -> Result<Header
         cycle_frames: cycle.map_or(0, |c| c.frames),
         camera,
     })
+}
+
+/// The description's ways of dithering and the core's.
+pub(crate) const PANEL_DITHERING: [(PanelDithering, core_scene::PanelDithering); 5] = [
+    (PanelDithering::None, core_scene::PanelDithering::None),
+    (PanelDithering::Bayer4, core_scene::PanelDithering::Bayer4),
+    (PanelDithering::Bayer8, core_scene::PanelDithering::Bayer8),
+    (
+        PanelDithering::BlueNoise,
+        core_scene::PanelDithering::BlueNoise,
+    ),
+    (
+        PanelDithering::FloydSteinberg,
+        core_scene::PanelDithering::FloydSteinberg,
+    ),
+];
+
+fn panel_dithering(way: PanelDithering) -> core_scene::PanelDithering {
+    let found = PANEL_DITHERING.iter().find(|(own, _)| *own == way);
+    found.map_or(core_scene::PanelDithering::None, |(_, core)| *core)
 }
 
 /// A camera's record.

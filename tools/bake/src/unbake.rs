@@ -10,11 +10,12 @@ use fixel::scene as core_scene;
 use fixel::scene::layout::CHAINED;
 use fixel_scene::{
     Actor, Aspect, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Look, Mark,
-    Material, Mesh, Palette, Projection, Ray, Representation, Rgb, Scene, Shading, Source, Space,
-    Stereo, Viewport,
+    Material, Mesh, Palette, PanelDithering, Projection, Ray, Representation, Rgb, Scene, Shading,
+    Source, Space, Stereo, Viewport,
 };
 
 use crate::normal;
+use crate::records::PANEL_DITHERING;
 use motion::Places;
 
 mod motion;
@@ -38,6 +39,7 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
             width: header.width.into(),
             height: header.height.into(),
             colour: colour_format(blob.colour_format()),
+            dithering: panel_dithering(blob.panel_dithering()),
             background: background(ends),
             samples: blob.output().samples.map(u32::from),
             stereo: stereo(&blob.output()),
@@ -158,6 +160,11 @@ fn colour_format(format: core_scene::ColourFormat) -> ColourFormat {
         core_scene::ColourFormat::Gray2 => ColourFormat::Gray2,
         core_scene::ColourFormat::Mono => ColourFormat::Mono,
     }
+}
+
+fn panel_dithering(way: core_scene::PanelDithering) -> PanelDithering {
+    let found = PANEL_DITHERING.iter().find(|(_, core)| *core == way);
+    found.map_or(PanelDithering::None, |(own, _)| *own)
 }
 
 fn background([top, bottom]: [Rgb; 2]) -> Background {

@@ -105,7 +105,7 @@ impl Film<'_> {
             Tested::Ray => fixel_host::render_rays(self.scene, &options),
         };
         let (rgb, _) = fixel_host::picture(self.scene, &planes);
-        let plain = !self.scene.output().is_resolved();
+        let plain = !self.scene.output().is_resolved() && !fixel_host::is_dithered(self.scene);
         let indexed = plain.then(|| (planes.index, fixel_host::colours(self.scene, frame)));
         self.progress.step();
         Picture { rgb, indexed }

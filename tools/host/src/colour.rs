@@ -1,7 +1,7 @@
 //! What a panel of a given colour depth makes of a colour.
 
 use fixel::Scene;
-use fixel::palette::rgb565;
+use fixel::palette::{luma, rgb565};
 use fixel::scene::ColourFormat;
 
 /// The colours that the panel shows for palette indices in a frame of the animation, 8 bits a channel.
@@ -43,11 +43,6 @@ pub fn colours(scene: &Scene<'_>, frame: u32) -> Vec<[u8; 3]> {
 }
 
 /// The nearest of `most + 1` steps.
-fn step(c: u8, most: u32) -> u8 {
+pub(crate) fn step(c: u8, most: u32) -> u8 {
     ((u32::from(c) * most + 127) / 255 * 255 / most) as u8
-}
-
-/// ITU-R BT.601 luma of the display-encoded colour.
-fn luma([r, g, b]: [u8; 3]) -> u8 {
-    ((299 * u32::from(r) + 587 * u32::from(g) + 114 * u32::from(b) + 500) / 1000) as u8
 }

@@ -7,12 +7,14 @@
 
 mod colour;
 mod compare;
+mod panel;
 mod picture;
 mod planes;
 mod rays;
 
 pub use colour::{colours, shown};
 pub use compare::frame;
+pub use panel::is_dithered;
 pub use picture::picture;
 pub use planes::{Options, Planes, pick, render};
 pub use rays::{ray_frame, render_rays};

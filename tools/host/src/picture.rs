@@ -9,6 +9,7 @@ use fixel::scene::{ColourFormat, Stereo};
 
 use crate::Planes;
 use crate::colour::{pixels, shown, widened};
+use crate::panel::{dithered, is_dithered};
 
 /// The pixels of a frame's picture as the panel shows them, and its size.
 pub fn picture(scene: &Scene<'_>, planes: &Planes) -> (Vec<[u8; 3]>, (u16, u16)) {
@@ -19,6 +20,10 @@ pub fn picture(scene: &Scene<'_>, planes: &Planes) -> (Vec<[u8; 3]>, (u16, u16))
     let palette = fixel::render::palette(scene, &pose);
     let colour = |index: u8| palette.rgb888(index);
     if !output.is_resolved() {
+        if is_dithered(scene) {
+            let colours = planes.index.iter().map(|index| colour(*index));
+            return (dithered(scene, size.0, colours.collect()), size);
+        }
         return (pixels(scene, planes.frame, &planes.index), size);
     }
     if format == ColourFormat::Rgb565 {
@@ -41,6 +46,9 @@ pub fn picture(scene: &Scene<'_>, planes: &Planes) -> (Vec<[u8; 3]>, (u16, u16))
     };
     let pixels = (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y)));
     let pixels = pixels.map(|(x, y)| [mean(x, y, 0), mean(x + right, y, 1), mean(x + right, y, 2)]);
+    if is_dithered(scene) {
+        return (dithered(scene, size.0, pixels.collect()), size);
+    }
     (pixels.map(|c| shown(format, c)).collect(), size)
 }
 

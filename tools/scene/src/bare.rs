@@ -6,8 +6,8 @@ use std::path::Path;
 use glam::DVec3;
 
 use crate::description::{
-    Actor, Animation, Background, ColourFormat, Display, Light, LightKind, Material, Palette, Ray,
-    Scene, Source, Stereo,
+    Actor, Animation, Background, ColourFormat, Display, Light, LightKind, Material, Palette,
+    PanelDithering, Ray, Scene, Source, Stereo,
 };
 use crate::error::Error;
 use crate::framing::{self, Bounds};
@@ -50,6 +50,7 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
         width: 320,
         height: 240,
         colour: ColourFormat::Rgb565,
+        dithering: PanelDithering::None,
         background: Background::Solid(BACKGROUND.map(|channel| f64::from(channel) / 255.0)),
         samples: [1, 1],
         stereo: Stereo::None,

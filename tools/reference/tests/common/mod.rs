@@ -5,7 +5,7 @@
 use fixel_reference::{Options, Truth, render};
 use fixel_scene::{
     Actor, Animation, Background, Camera, ColourFormat, Display, Light, LightKind, Material, Mesh,
-    Palette, Projection, Ray, Scene, Shading, Source, Stereo,
+    Palette, PanelDithering, Projection, Ray, Scene, Shading, Source, Stereo,
 };
 
 /// Distance of the plane z = 0 from the eye in [`parallel`] and [`perspective`].
@@ -38,6 +38,7 @@ fn scene(width: u32, height: u32, projection: Projection) -> Scene {
             width,
             height,
             colour: ColourFormat::Rgb888,
+            dithering: PanelDithering::None,
             background: Background::Solid([0.0; 3]),
             samples: [1, 1],
             stereo: Stereo::None,

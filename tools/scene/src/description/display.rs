@@ -11,6 +11,8 @@ pub struct Display {
     pub height: u32,
     /// What the panel can show.
     pub colour: ColourFormat,
+    /// How the levels of a grey panel with few of them are mixed.
+    pub dithering: PanelDithering,
     /// What is seen where nothing is drawn.
     pub background: Background,
     /// Samples of a pixel, across and down, whose display-encoded colours are
@@ -81,6 +83,25 @@ pub enum ColourFormat {
     Gray2,
     /// Black and white.
     Mono,
+}
+
+/// How a panel of 2, 4 or 16 greys shows a grey between two of them: pixels of both, so
+/// many that their light together is its light (taken as the square of the
+/// display-encoded value). The [`Dithering`](super::Dithering) of the palette is another
+/// thing: it is about colours between palette entries.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PanelDithering {
+    /// The nearest of the two (the default).
+    #[default]
+    None,
+    /// Bayer's pattern of 4 by 4 pixels.
+    Bayer4,
+    /// Bayer's pattern of 8 by 8 pixels.
+    Bayer8,
+    /// Void and cluster, 32 by 32 pixels.
+    BlueNoise,
+    /// Error diffusion by Floyd and Steinberg, every other row from right to left.
+    FloydSteinberg,
 }
 
 /// The background.

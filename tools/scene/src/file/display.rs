@@ -3,7 +3,7 @@
 use super::colour;
 use super::panel::PANELS;
 use super::table::{Keys, Table};
-use crate::description::{Background, ColourFormat, Display, Stereo};
+use crate::description::{Background, ColourFormat, Display, PanelDithering, Stereo};
 use crate::error::Error;
 
 pub(super) const DISPLAY: Keys = Keys {
@@ -11,6 +11,7 @@ pub(super) const DISPLAY: Keys = Keys {
         "width",
         "height",
         "colour",
+        "dithering",
         "background",
         "panel",
         "antialiasing",
@@ -37,6 +38,7 @@ pub(super) fn display(table: Option<&Table<'_, '_>>) -> Result<Display, Error> {
         width: 320,
         height: 240,
         colour: ColourFormat::Rgb565,
+        dithering: PanelDithering::None,
         background: Background::Solid([0.0; 3]),
         samples: [1, 1],
         stereo: Stereo::None,
@@ -66,6 +68,22 @@ pub(super) fn display(table: Option<&Table<'_, '_>>) -> Result<Display, Error> {
     }
     if let Some(colour) = table.choice("colour", FORMATS, &[])? {
         display.colour = colour;
+    }
+    let ways = [
+        ("none", PanelDithering::None),
+        ("bayer4", PanelDithering::Bayer4),
+        ("bayer8", PanelDithering::Bayer8),
+        ("blue_noise", PanelDithering::BlueNoise),
+        ("floyd_steinberg", PanelDithering::FloydSteinberg),
+    ];
+    if let Some(dithering) = table.choice("dithering", &ways, &[])? {
+        let few = [ColourFormat::Gray4, ColourFormat::Gray2, ColourFormat::Mono];
+        if dithering != PanelDithering::None && !few.contains(&display.colour) {
+            let what = "is for grey panels of few levels; expected it beside colour = \"gray4\", \
+                        \"gray2\" or \"mono\" (colours are dithered by palette.dithering)";
+            return Err(table.error("dithering", what));
+        }
+        display.dithering = dithering;
     }
     if let Some(background) = colour::background(table, "background")? {
         display.background = background;

@@ -22,4 +22,5 @@ pub(super) const PANELS: &[Panel] = &[
     ("ssd1306-128x64", 128, 64, ColourFormat::Mono),
     ("sh1107-128x128", 128, 128, ColourFormat::Mono),
     ("uc8151-296x128", 296, 128, ColourFormat::Mono),
+    ("ssd1681-200x200", 200, 200, ColourFormat::Mono),
 ];

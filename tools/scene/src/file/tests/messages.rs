@@ -36,6 +36,10 @@ messages! {
     colour_format: "[display]\ncolour = \"rgb\""
         => "t.toml:2: display.colour: \"rgb\" is unknown; expected \"rgb888\" or \"rgb565\" or \
             \"rgb444\" or \"gray8\" or \"gray4\" or \"gray2\" or \"mono\"";
+    dithering_of_colours: "[display]\ndithering = \"bayer8\""
+        => "t.toml:2: display.dithering: is for grey panels of few levels; expected it beside \
+            colour = \"gray4\", \"gray2\" or \"mono\" (colours are dithered by \
+            palette.dithering)";
     background: "[display]\nbackground = \"blue\""
         => "t.toml:2: display.background: \"blue\" is not a colour; \
             expected e.g. background = \"#ff8800\"";
