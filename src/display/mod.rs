@@ -1,18 +1,22 @@
 //! Where finished rows go. In: [`BandRows`] and the palette. Out: a panel's
 //! pixels. Used by `render`, implemented by applications.
 
+mod changed;
 mod dither;
 mod draw_target;
 mod draw_target_rows;
+mod faulty;
 mod packed;
 mod resolve;
 
 use crate::frame::BandRows;
 use crate::palette::Palette;
 
+pub use changed::{Changed, PartialRows};
 pub use dither::{Diffused, Dither, Nearest, Ordered};
 pub use draw_target::DrawTargetDisplay;
 pub use draw_target_rows::DrawTargetRows;
+pub use faulty::{Fault, Faulty};
 pub use packed::{Packed, PackedRows, Packing};
 pub use resolve::{Resolve, Rgb565Rows};
 

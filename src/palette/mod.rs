@@ -1,10 +1,12 @@
 //! From palette indices to a panel's colours. In: indices of finished rows and
 //! the palette. Out: bytes that a panel takes. Used by `display`.
 
+mod convert;
 mod packed;
 mod rgb565;
 mod tones;
 
+pub use convert::{cmy, cmyk, cmyk_of, cross_fade, fade, hsv, hsv_of, mixed};
 pub use packed::{Rgb444Table, pack_rgb888};
 pub use rgb565::{Rgb565Table, rgb565, rgb565_of_sum};
 pub use tones::{Tone, Tones, luma, tone};
