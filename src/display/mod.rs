@@ -3,6 +3,7 @@
 
 mod changed;
 mod dither;
+mod double_buffered;
 mod draw_target;
 mod draw_target_rows;
 mod faulty;
@@ -14,6 +15,7 @@ use crate::palette::Palette;
 
 pub use changed::{Changed, PartialRows};
 pub use dither::{Diffused, Dither, Nearest, Ordered};
+pub use double_buffered::{Background, BufferedError, DoubleBuffered};
 pub use draw_target::DrawTargetDisplay;
 pub use draw_target_rows::DrawTargetRows;
 pub use faulty::{Fault, Faulty};

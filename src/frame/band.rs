@@ -107,7 +107,7 @@ pub struct Target<'a> {
     pub end: u16,
 }
 
-impl Target<'_> {
+impl<'a> Target<'a> {
     /// The part of these rows within `rect`, as a screen of that size: pixel
     /// (0, 0) is the rectangle's top left one.
     pub fn part(&mut self, rect: &Rect) -> Target<'_> {
@@ -144,6 +144,16 @@ impl Target<'_> {
         }
         for row in self.depths.chunks_mut(stride) {
             fill(row.get_mut(..width).unwrap_or_default(), 0, 0);
+        }
+    }
+
+    /// The finished rows, for as long as the band is not drawn into again.
+    pub(crate) fn into_finished(self) -> BandRows<'a> {
+        BandRows {
+            indices: self.indices,
+            depths: self.depths,
+            width: self.width,
+            top: self.top,
         }
     }
 

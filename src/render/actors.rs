@@ -22,6 +22,7 @@ impl ActorSlot {
 }
 
 /// The actors of a frame, in the viewport that was asked for last.
+#[derive(Debug)]
 pub(super) struct Actors<'a> {
     scene: &'a Scene<'a>,
     pose: &'a Pose<'a>,

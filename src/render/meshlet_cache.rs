@@ -28,6 +28,7 @@ impl Slot {
 /// need, and for those that find no other; the others keep what they hold until
 /// its last row is past. So the nearest meshlets, which come first in each
 /// band, are never pushed out by those behind them.
+#[derive(Debug)]
 pub(super) struct MeshletCache<'a> {
     slots: &'a mut [Slot],
     /// One past the band's last row.

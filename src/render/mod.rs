@@ -4,6 +4,7 @@
 //! [`Display`](crate::display::Display), and [`FrameStats`].
 
 mod actors;
+mod bands;
 mod corner_source;
 mod draw;
 mod frame;
@@ -19,6 +20,7 @@ mod triangles;
 mod viewports;
 mod visible_list;
 
+pub use bands::Bands;
 pub use frame::{palette, render_frame, render_frame_with, render_rows_with};
 pub use paint::{Ids, Paint, PaintActor, PaintLight, PaintTexel, PaintTriangle, Shaded};
 pub use pick::{Picked, pick};

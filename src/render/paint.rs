@@ -24,7 +24,7 @@ impl Ids {
 }
 
 /// Chooses a triangle's fill.
-pub trait Paint {
+pub trait Paint: Copy {
     /// Whether the scene's fog lies over it.
     const FOGGED: bool = false;
 
