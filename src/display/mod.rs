@@ -7,6 +7,7 @@ mod double_buffered;
 mod draw_target;
 mod draw_target_rows;
 mod faulty;
+mod overlay;
 mod packed;
 mod resolve;
 
@@ -19,6 +20,7 @@ pub use double_buffered::{Background, BufferedError, DoubleBuffered};
 pub use draw_target::DrawTargetDisplay;
 pub use draw_target_rows::DrawTargetRows;
 pub use faulty::{Fault, Faulty};
+pub use overlay::{Ink, Overlay, PaletteIndex};
 pub use packed::{Packed, PackedRows, Packing};
 pub use resolve::{Resolve, Rgb565Rows};
 

@@ -148,7 +148,7 @@ impl<'a> Target<'a> {
     }
 
     /// The finished rows, for as long as the band is not drawn into again.
-    pub(crate) fn into_finished(self) -> BandRows<'a> {
+    pub fn into_finished(self) -> BandRows<'a> {
         BandRows {
             indices: self.indices,
             depths: self.depths,

@@ -67,6 +67,22 @@ impl<'a> Palette<'a> {
             .unwrap_or_default()
     }
 
+    /// The index of the colour that is nearest, by squares of the differences in red, green and
+    /// blue, weighted 3, 6 and 1 as the eye does; the first of several.
+    pub fn nearest(&self, colour: [u8; 3]) -> u8 {
+        let distance = |entry: [u8; 3]| {
+            let mut sum = 0;
+            for ((a, b), weight) in entry.into_iter().zip(colour).zip([3, 6, 1]) {
+                let off = u32::from(a.abs_diff(b));
+                sum += off * off * weight;
+            }
+            sum
+        };
+        let all = (0..=u8::MAX).zip(self.entries());
+        let nearest = all.min_by_key(|(_, entry)| distance(*entry));
+        nearest.map_or(0, |(index, _)| index)
+    }
+
     /// The colours of all indices up to the last one in use.
     pub fn entries(&self) -> impl Iterator<Item = [u8; 3]> + use<'_> {
         let all = 0..=u8::MAX;

@@ -104,12 +104,17 @@ impl<'a, 'b, P: Paint> Bands<'a, 'b, P> {
     }
 
     /// Draws the next band; `None` after the last.
-    #[inline(never)]
     #[expect(
         clippy::should_implement_trait,
         reason = "an iterator cannot lend what it will write into again"
     )]
     pub fn next(&mut self) -> Option<BandRows<'_>> {
+        self.next_target().map(Target::into_finished)
+    }
+
+    /// The same, to be drawn over: see [`Overlay`](crate::display::Overlay).
+    #[inline(never)]
+    pub fn next_target(&mut self) -> Option<Target<'_>> {
         if self.rows.is_empty() {
             return None;
         }
@@ -165,6 +170,6 @@ impl<'a, 'b, P: Paint> Bands<'a, 'b, P> {
         viewports.reach(scene.viewport_count(), actors, &mut target);
 
         // 5. The finished rows.
-        Some(Target::into_finished(target))
+        Some(target)
     }
 }

@@ -282,7 +282,7 @@ fn a_long_chain_of_parents_is_refused() {
     };
     assert!(chain(17).is_ok());
     let error = chain(18).expect_err("refused").to_string();
-    assert_eq!(error, "17 parents above an actor, at most 16 can be baked");
+    assert_eq!(error, "17 parents above an actor; expected at most 16");
 }
 
 /// The picture stays, index by index, while the colours of its lamps go round.
