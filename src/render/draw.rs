@@ -7,7 +7,7 @@ use super::meshlet_cache::MeshletCache;
 use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
 use super::surface::draw_surface_meshlet;
-use super::triangles::{Draw, Left, Triangle, triangles};
+use super::triangles::{Done, Draw, Triangle, triangles};
 use super::visible_list::Entry;
 use crate::fog::Haze;
 use crate::frame::Target;
@@ -59,7 +59,7 @@ pub(super) fn draw_meshlet<P: Paint>(
         }
         entry.end_row
     });
-    let (Some((transformed, left)), true) = (transformed, entry.touches(rows)) else {
+    let (Some((transformed, done)), true) = (transformed, entry.touches(rows)) else {
         return;
     };
     let part = Part {
@@ -81,9 +81,9 @@ pub(super) fn draw_meshlet<P: Paint>(
             }
         }
     } else if cfg!(feature = "light") && view.material.is_surface() {
-        draw_surface_meshlet(paint, &part, left, target, stats);
+        draw_surface_meshlet(paint, &part, done, target, stats);
     } else {
-        draw_plain_meshlet(paint, &part, left, target, stats);
+        draw_plain_meshlet(paint, &part, done, target, stats);
     }
 }
 
@@ -125,7 +125,7 @@ impl Part<'_> {
 fn draw_plain_meshlet<P: Paint>(
     paint: &P,
     part: &Part<'_>,
-    left: &mut Left,
+    done: &mut Done,
     target: &mut Target<'_>,
     stats: &mut FrameStats,
 ) {
@@ -149,7 +149,7 @@ fn draw_plain_meshlet<P: Paint>(
         view,
         meshlet,
         part.transformed,
-        left,
+        done,
         stats,
         &mut plain,
     );

@@ -5,7 +5,7 @@ use super::corner_source::weighted;
 use super::draw::Part;
 use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
-use super::triangles::{Draw, Left, Triangle, clip_vertices, corner, triangles};
+use super::triangles::{Done, Draw, Triangle, clip_vertices, corner, triangles};
 use crate::clip::clip_line;
 use crate::frame::Target;
 use crate::light::Lit;
@@ -213,7 +213,7 @@ pub(super) fn draw_hidden<P: Paint>(
     stats: &mut FrameStats,
 ) {
     let (scene, view) = (part.scene, part.view);
-    let mut left = Left::ALL;
+    let mut done = Done::NONE;
     let mut hidden = Hidden {
         paint,
         part,
@@ -225,7 +225,7 @@ pub(super) fn draw_hidden<P: Paint>(
         view,
         part.meshlet,
         part.transformed,
-        &mut left,
+        &mut done,
         stats,
         &mut hidden,
     );

@@ -1,6 +1,6 @@
 //! Transformed meshlets, kept from band to band.
 
-use super::triangles::Left;
+use super::triangles::Done;
 use crate::vertex::TransformedMeshlet;
 
 /// Room for one transformed meshlet.
@@ -11,8 +11,8 @@ pub struct Slot {
     /// One past the last row that needs it.
     until: u16,
     vertices: TransformedMeshlet,
-    /// Its triangles that may have pixels in the next band.
-    left: Left,
+    /// Its triangles that have no pixels in the next band.
+    done: Done,
 }
 
 impl Slot {
@@ -20,7 +20,7 @@ impl Slot {
         key: None,
         until: 0,
         vertices: TransformedMeshlet::EMPTY,
-        left: Left::ALL,
+        done: Done::NONE,
     };
 }
 
@@ -55,20 +55,20 @@ impl<'a> MeshletCache<'a> {
         key: (u16, u32),
         until: u16,
         transform: impl FnOnce(&mut TransformedMeshlet) -> u16,
-    ) -> Option<(&TransformedMeshlet, &mut Left)> {
+    ) -> Option<(&TransformedMeshlet, &mut Done)> {
         let held = self.slots.iter().position(|slot| slot.key == Some(key));
         let which = held.unwrap_or_else(|| self.choose(until));
         let slot = self.slots.get_mut(which)?;
         if held.is_none() {
             slot.until = transform(&mut slot.vertices).min(until);
             slot.key = Some(key);
-            slot.left = Left::ALL;
+            slot.done = Done::NONE;
         }
         if slot.until <= self.band_end {
             // Not needed again: free for the next one.
             slot.key = None;
         }
-        Some((&slot.vertices, &mut slot.left))
+        Some((&slot.vertices, &mut slot.done))
     }
 
     fn choose(&self, until: u16) -> usize {

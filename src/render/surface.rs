@@ -5,7 +5,7 @@ use super::draw::Part;
 use super::paint::Paint;
 use super::stats::FrameStats;
 use super::surface_runs::{Others, Runs, Texels, Through, Way};
-use super::triangles::{Draw, Left, Triangle, triangles};
+use super::triangles::{Done, Draw, Triangle, triangles};
 use crate::frame::Target;
 use crate::light::{Parts, Patch, SurfaceLights, sum};
 use crate::math::FineLevel;
@@ -21,7 +21,7 @@ use crate::view::{MeshletRows, round_level};
 pub(super) fn draw_surface_meshlet<P: Paint>(
     paint: &P,
     part: &Part<'_>,
-    left: &mut Left,
+    done: &mut Done,
     target: &mut Target<'_>,
     stats: &mut FrameStats,
 ) {
@@ -81,13 +81,13 @@ pub(super) fn draw_surface_meshlet<P: Paint>(
         // What faces away lies behind what faces the eye, at least in one meshlet of a
         // convex thing.
         surfaces.sides.front = false;
-        let mut left = Left::ALL;
+        let mut done = Done::NONE;
         triangles(
             scene,
             view,
             meshlet,
             part.transformed,
-            &mut left,
+            &mut done,
             stats,
             &mut surfaces,
         );
@@ -98,7 +98,7 @@ pub(super) fn draw_surface_meshlet<P: Paint>(
         view,
         meshlet,
         part.transformed,
-        left,
+        done,
         stats,
         &mut surfaces,
     );

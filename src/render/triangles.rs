@@ -27,36 +27,36 @@ pub(super) trait Draw {
     fn draw(&mut self, triangle: &Triangle<'_>) -> Drawn;
 }
 
-/// The triangles of a meshlet that may still have pixels: a bit each. In a band are many
+/// The triangles of a meshlet that have no more pixels: a bit each. In a band are many
 /// that earlier ones are through with, most of them because they face away.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Left([u32; WORDS]);
+pub(super) struct Done([u32; WORDS]);
 
 const WORDS: usize = MESHLET_TRIANGLES / BITS;
 const BITS: usize = u32::BITS as usize;
 
-impl Left {
-    pub const ALL: Self = Self([u32::MAX; WORDS]);
+impl Done {
+    pub const NONE: Self = Self([0; WORDS]);
 }
 
-/// Hands each triangle that may be seen, of those that are `left`, to `to`.
+/// Hands each triangle that may be seen, of those that are not `done`, to `to`.
 #[inline(always)]
 pub(super) fn triangles(
     scene: &Scene<'_>,
     view: &ActorView,
     meshlet: &Meshlet,
     transformed: &TransformedMeshlet,
-    left: &mut Left,
+    done: &mut Done,
     stats: &mut FrameStats,
     to: &mut impl Draw,
 ) {
-    let Left(words) = left;
+    let Done(words) = done;
     let mut first = 0;
     let all = scene.meshlet_triangles(meshlet).chunks(BITS);
-    for (left, triangles) in words.iter_mut().zip(all) {
+    for (done, triangles) in words.iter_mut().zip(all) {
         let mut bit = 1;
         for (number, indices) in (first..).zip(triangles) {
-            if *left & bit != 0
+            if *done & bit == 0
                 && !triangle(
                     scene,
                     view,
@@ -67,7 +67,7 @@ pub(super) fn triangles(
                     to,
                 )
             {
-                *left &= !bit;
+                *done |= bit;
             }
             bit = bit.rotate_left(1);
         }
@@ -103,6 +103,21 @@ fn triangle(
         stats.triangles_outside += 1;
         return false;
     }
+    clipped(scene, view, meshlet, (number, indices, corners), stats, to)
+}
+
+/// Hands on the parts of a triangle that are not clipped. Kept out of its caller, whose stack
+/// it would take in frames that clip nothing.
+#[cold]
+#[inline(never)]
+fn clipped(
+    scene: &Scene<'_>,
+    view: &ActorView,
+    meshlet: &Meshlet,
+    (number, indices, corners): (usize, &[u8; 3], [&ScreenVertex; 3]),
+    stats: &mut FrameStats,
+    to: &mut impl Draw,
+) -> bool {
     stats.triangles_clipped += 1;
     let polygon = clip(view, clip_vertices(scene, view, meshlet, *indices, corners));
     let all = polygon.vertices().iter().zip(polygon.cuts());

@@ -41,7 +41,7 @@ pub const SLOTS: usize = if cfg!(feature = "small") {
 } else if cfg!(feature = "whole") {
     10
 } else {
-    13
+    12
 };
 /// Actors whose matrices are kept.
 pub const ACTORS: usize = if cfg!(feature = "small") { 1 } else { 4 };

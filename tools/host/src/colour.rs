@@ -2,11 +2,10 @@
 
 use fixel::Scene;
 use fixel::palette::{luma, rgb565};
-use fixel::scene::ColourFormat;
+use fixel::scene::{ColourFormat, PanelDithering};
 
-/// The colours that the panel shows for palette indices in a frame of the animation, 8 bits a channel.
-pub(crate) fn pixels(scene: &Scene<'_>, frame: u32, indices: &[u8]) -> Vec<[u8; 3]> {
-    let palette = colours(scene, frame);
+/// The colours that a palette has for indices.
+pub(crate) fn pixels(palette: &[[u8; 3]], indices: &[u8]) -> Vec<[u8; 3]> {
     let colour = |i: &u8| palette.get(usize::from(*i)).copied().unwrap_or_default();
     indices.iter().map(colour).collect()
 }
@@ -40,6 +39,18 @@ pub fn colours(scene: &Scene<'_>, frame: u32) -> Vec<[u8; 3]> {
     let palette = fixel::render::palette(scene, &pose);
     let format = scene.colour_format();
     palette.entries().map(|c| shown(format, c)).collect()
+}
+
+/// The same as it is held against the reference: on a panel that is dithered the grey from
+/// which its pixels are made, as one of them alone says nothing.
+pub(crate) fn before_dithering(scene: &Scene<'_>, frame: u32) -> Vec<[u8; 3]> {
+    if scene.panel_dithering() == PanelDithering::None {
+        return colours(scene, frame);
+    }
+    let pose = scene.pose(frame);
+    let palette = fixel::render::palette(scene, &pose);
+    let grey = |colour| shown(ColourFormat::Gray8, colour);
+    palette.entries().map(grey).collect()
 }
 
 /// The nearest of `most + 1` steps.

@@ -7,9 +7,9 @@ use fixel::scene::layout::BASES;
 use fixel_bake::Baked;
 use fixel_reference::{Frame, Lookup, NO_TRIANGLE, Path};
 
-use crate::colour::pixels;
+use crate::Planes;
+use crate::colour::{before_dithering, pixels};
 use crate::planes::{self, Options};
-use crate::{Planes, colours};
 
 /// Renders every plane of a baked scene.
 pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Planes) {
@@ -40,7 +40,7 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
             .map(|(id, there)| if *there { source(id) } else { NO_TRIANGLE })
             .collect(),
         light: planes::light(scene, options),
-        rgb: pixels(scene, options.frame, &index),
+        rgb: pixels(&before_dithering(scene, options.frame), &index),
         index,
         depth: drawn.depth.clone(),
         texture_place: planes::texture_place(scene, options),
@@ -75,7 +75,7 @@ pub(crate) fn lookup(scene: &Scene<'_>, options: &Options, size: (u16, u16)) -> 
         },
         fog: scene.fog_table().map_or(Vec::new(), |table| table.to_vec()),
         background: backgrounds(scene, options, size),
-        palette: colours(scene, options.frame),
+        palette: before_dithering(scene, options.frame),
     }
 }
 

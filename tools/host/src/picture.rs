@@ -8,7 +8,7 @@ use fixel::frame::BandRows;
 use fixel::scene::{ColourFormat, Stereo};
 
 use crate::Planes;
-use crate::colour::{pixels, shown, widened};
+use crate::colour::{colours, pixels, shown, widened};
 use crate::panel::{dithered, is_dithered};
 
 /// The pixels of a frame's picture as the panel shows them, and its size.
@@ -24,7 +24,7 @@ pub fn picture(scene: &Scene<'_>, planes: &Planes) -> (Vec<[u8; 3]>, (u16, u16))
             let colours = planes.index.iter().map(|index| colour(*index));
             return (dithered(scene, size.0, colours.collect()), size);
         }
-        return (pixels(scene, planes.frame, &planes.index), size);
+        return (pixels(&colours(scene, planes.frame), &planes.index), size);
     }
     if format == ColourFormat::Rgb565 {
         return (resolved(scene, planes, size.0), size);

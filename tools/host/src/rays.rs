@@ -8,7 +8,7 @@ use fixel_bake::Baked;
 use fixel_reference::{Frame, Lookup, NO_TRIANGLE};
 
 use crate::Planes;
-use crate::colour::pixels;
+use crate::colour::{before_dithering, pixels};
 use crate::compare::lookup;
 use crate::planes::{Options, collected};
 
@@ -69,7 +69,7 @@ pub fn ray_frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame,
                 smoothed.map_or(own, |(light, _)| light).map(level)
             })
             .collect(),
-        rgb: pixels(scene, options.frame, &index),
+        rgb: pixels(&before_dithering(scene, options.frame), &index),
         index,
         depth: drawn.depth.clone(),
         texture_place: Vec::new(),
