@@ -44,7 +44,7 @@ pub fn load(path: &Path) -> Result<Scene, Error> {
 }
 
 /// As [`load`], with notes for the user, one line each, on what the meshes
-/// have that a scene does not, such as a glTF file's textures.
+/// have that a scene does not, such as a glTF file's skins.
 ///
 /// # Errors
 /// As [`load`].
