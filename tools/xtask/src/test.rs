@@ -32,9 +32,11 @@ const STAGES: [Stage; 9] = [
 ];
 
 /// Crates in `targets/` that the host builds and tests.
-const HOST_CRATES: [&str; 2] = ["runner", "host"];
+const HOST_CRATES: [&str; 3] = ["runner", "host", "demo"];
+/// Those of them that have tests and docs.
+const LIBRARIES: [&str; 2] = ["runner", "demo"];
 /// All crates in `targets/`.
-const TARGET_CRATES: [&str; 5] = ["runner", "host", "cortex-m", "riscv", "wasm"];
+const TARGET_CRATES: [&str; 6] = ["runner", "host", "demo", "cortex-m", "riscv", "wasm"];
 
 /// The stages' names.
 pub fn names() -> Vec<&'static str> {
@@ -152,8 +154,10 @@ fn lints(tally: &mut Tally) {
 fn tests(tally: &mut Tally) {
     let mut command = cargo(&["test", "--workspace", "--no-fail-fast"]);
     cargo_tests(tally, "the workspace", &mut command);
-    let mut command = cargo_in("runner", &["test", "--quiet", "--no-fail-fast"]);
-    cargo_tests(tally, "targets/runner", &mut command);
+    for folder in LIBRARIES {
+        let mut command = cargo_in(folder, &["test", "--quiet", "--no-fail-fast"]);
+        cargo_tests(tally, &format!("targets/{folder}"), &mut command);
+    }
 }
 
 /// Runs `cargo test` and counts each of its tests.
@@ -227,9 +231,12 @@ fn docs(tally: &mut Tally) {
     let mut command = cargo(&["doc", "--workspace", "--no-deps"]);
     command.env("RUSTDOCFLAGS", "-D warnings");
     tally.check("docs of the workspace", child::visibly(&mut command));
-    let mut command = cargo_in("runner", &["doc", "--quiet", "--no-deps"]);
-    command.env("RUSTDOCFLAGS", "-D warnings");
-    tally.check("docs of targets/runner", child::visibly(&mut command));
+    for folder in LIBRARIES {
+        let mut command = cargo_in(folder, &["doc", "--quiet", "--no-deps"]);
+        command.env("RUSTDOCFLAGS", "-D warnings");
+        let name = format!("docs of targets/{folder}");
+        tally.check(&name, child::visibly(&mut command));
+    }
     tally.check("the gallery is current", gallery::is_current());
 }
 
