@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use fixel_bake::Baked;
+use fixel_bake::{BakeError, Baked};
 use fixel_scene::Scene;
 
 /// The repository's root.
@@ -36,7 +36,19 @@ pub fn scenes(folder: &str) -> Vec<PathBuf> {
 /// # Panics
 /// If it does not load or bake.
 pub fn load(path: &Path) -> (Scene, Baked) {
+    load_by(path, fixel_bake::bake)
+}
+
+/// The same, baked for rays.
+///
+/// # Panics
+/// If it does not load or bake.
+pub fn load_for_rays(path: &Path) -> (Scene, Baked) {
+    load_by(path, fixel_bake::bake_for_rays)
+}
+
+fn load_by(path: &Path, bake: impl Fn(&Scene) -> Result<Baked, BakeError>) -> (Scene, Baked) {
     let scene = fixel_scene::load(path).unwrap_or_else(|e| panic!("{e}"));
-    let baked = fixel_bake::bake(&scene).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    let baked = bake(&scene).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
     (scene, baked)
 }

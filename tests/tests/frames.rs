@@ -10,13 +10,8 @@ use fixel::display::Display;
 use fixel::frame::BandRows;
 use fixel::palette::Palette;
 use fixel::{Band, Scene, Scratch, render_frame};
-use fixel_host::{Options, picture as picture_of, render};
-use fixel_tests::{load, root, scenes};
-
-fn picture(scene: &Scene<'_>, options: &Options) -> Vec<u8> {
-    let (pixels, _) = picture_of(scene, &render(scene, options));
-    pixels.into_iter().flatten().collect()
-}
+use fixel_host::{Options, picture as picture_of, render, render_rays};
+use fixel_tests::{load, load_for_rays, root, scenes};
 
 fn write_png(path: &Path, (width, height): (u32, u32), rgb: &[u8]) {
     let mut encoder = png::Encoder::new(fs::File::create(path).expect("a new file"), width, height);
@@ -36,8 +31,11 @@ fn read_png(path: &Path) -> Vec<u8> {
     rgb
 }
 
-fn starts_with_w(name: &OsStr) -> bool {
-    name.as_encoded_bytes().starts_with(b"w")
+/// Those of `scenes/ray`, and of the bench those that are not drawn by triangles.
+fn is_by_rays(path: &Path) -> bool {
+    let within = |folder: &str| path.parent().is_some_and(|parent| parent.ends_with(folder));
+    let starts_with_w = |name: &OsStr| name.as_encoded_bytes().starts_with(b"w");
+    within("scenes/ray") || within("scenes/bench") && !path.file_name().is_some_and(starts_with_w)
 }
 
 /// `FIXEL_BLESS=1` (`cargo xtask bless`) writes the golden frames anew.
@@ -46,14 +44,23 @@ fn golden_frames() {
     let bless = std::env::var_os("FIXEL_BLESS").is_some();
     let folder = root().join("tests/golden");
     let mut differ = Vec::new();
-    // Of the bench, those that are drawn by triangles.
-    let by_triangles = |path: &PathBuf| path.file_name().is_some_and(starts_with_w);
-    let bench = scenes("scenes/bench").into_iter().filter(by_triangles);
-    for path in scenes("scenes").into_iter().chain(bench) {
-        let (_, baked) = load(&path);
+    let of = |folders: &[&str]| folders.iter().flat_map(|f| scenes(f)).collect::<Vec<_>>();
+    for path in of(&["scenes", "scenes/bench", "scenes/ray"]) {
+        let by_rays = is_by_rays(&path);
+        let (_, baked) = if by_rays {
+            load_for_rays(&path)
+        } else {
+            load(&path)
+        };
         let scene = baked.scene().expect("baked a moment ago");
         let options = Options::of(&scene);
-        let rgb = picture(&scene, &options);
+        let drawn = if by_rays {
+            render_rays(&scene, &options)
+        } else {
+            render(&scene, &options)
+        };
+        let (pixels, _) = picture_of(&scene, &drawn);
+        let rgb: Vec<u8> = pixels.into_iter().flatten().collect();
         let name = path
             .file_stem()
             .expect("a name")

@@ -70,8 +70,12 @@ fn cell(file: &Path) -> Result<String> {
         )
     })?;
     let described = fixel_scene::load(file).map_err(|error| error.to_string())?;
-    let baked =
-        fixel_bake::bake(&described).map_err(|error| format!("{}: {error}", file.display()))?;
+    let baked = if scene::by_rays(&name) {
+        fixel_bake::bake_for_rays(&described)
+    } else {
+        fixel_bake::bake(&described)
+    };
+    let baked = baked.map_err(|error| format!("{}: {error}", file.display()))?;
     let core = fixel::Scene::parse(baked.bytes())
         .map_err(|error| format!("{}: {error}", file.display()))?;
     let mut cell = String::new();
