@@ -5,9 +5,10 @@ fn main() {
     println!("cargo::rustc-check-cfg=cfg(narrow_multiply)");
     println!("cargo::rerun-if-changed=build.rs");
     let target = std::env::var("TARGET").unwrap_or_default();
-    // ARMv6-M and ARMv8-M Baseline: the product's low half only, no division on
-    // the former.
-    if target.starts_with("thumbv6m") || target.starts_with("thumbv8m.base") {
+    // ARMv4T's Thumb, ARMv6-M and ARMv8-M Baseline: the product's low half only, and no
+    // division but on the last.
+    let narrow = ["thumbv4t", "thumbv6m", "thumbv8m.base"];
+    if narrow.iter().any(|core| target.starts_with(core)) {
         println!("cargo::rustc-cfg=narrow_multiply");
     }
 }

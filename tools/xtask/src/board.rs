@@ -21,6 +21,8 @@ pub enum Machine {
     /// Node, by a script in the board's folder, which takes the arguments of the
     /// host's measuring program after the module.
     Node(&'static str),
+    /// mGBA, by the front end in `targets/libretro`.
+    Mgba,
 }
 
 /// One platform.
@@ -111,7 +113,7 @@ pub const BOARDS: [Board; 3] = [
 ];
 
 /// Boards that show the same bytes once more, in a few scenes.
-pub const OTHERS: [Board; 5] = [
+pub const OTHERS: [Board; 6] = [
     Board {
         name: "microbit",
         what: "Cortex-M0 with 16 KB of RAM, QEMU's microbit",
@@ -161,6 +163,15 @@ pub const OTHERS: [Board; 5] = [
         target: "wasm32-unknown-unknown",
         features: None,
         machine: Machine::Node("run.mjs"),
+        scenes: Some(&EVERY_KERNEL),
+    },
+    Board {
+        name: "gba",
+        what: "Game Boy Advance (ARM7TDMI), in mGBA",
+        folder: "gba",
+        target: "thumbv4t-none-eabi",
+        features: None,
+        machine: Machine::Mgba,
         scenes: Some(&EVERY_KERNEL),
     },
 ];

@@ -17,24 +17,53 @@ pub fn can_install() -> bool {
 
 /// Installs packages and shows apt's output.
 pub fn install(packages: &[&str]) -> Result<(), String> {
-    /// Package lists are fetched once, and one apt runs at a time.
+    /// One apt runs at a time.
+    static ALONE: Mutex<()> = Mutex::new(());
+    let _alone = ALONE.lock().map_err(|error| error.to_string())?;
+    update()?;
+    let mut arguments = vec!["install", "-q", "-y", "--no-install-recommends"];
+    arguments.extend(packages);
+    apt(&arguments)
+}
+
+/// Fetches package lists, once.
+fn update() -> Result<(), String> {
     static UPDATED: Mutex<bool> = Mutex::new(false);
     let mut updated = UPDATED.lock().map_err(|error| error.to_string())?;
-    let apt = |arguments: &[&str]| {
-        let mut command = Command::new("apt-get");
-        command
-            .args(arguments)
-            .env("DEBIAN_FRONTEND", "noninteractive");
-        eprintln!("$ {}", child::shown(&command));
-        child::visibly(&mut command).map_err(|problem| problem.to_string())
-    };
     if !*updated {
         apt(&["update", "-q"])?;
         *updated = true;
     }
-    let mut arguments = vec!["install", "-q", "-y", "--no-install-recommends"];
-    arguments.extend(packages);
-    apt(&arguments)
+    Ok(())
+}
+
+fn apt(arguments: &[&str]) -> Result<(), String> {
+    let mut command = Command::new("apt-get");
+    command
+        .args(arguments)
+        .env("DEBIAN_FRONTEND", "noninteractive");
+    eprintln!("$ {}", child::shown(&command));
+    child::visibly(&mut command).map_err(|problem| problem.to_string())
+}
+
+/// Fetches packages' files into a folder, without installing anything. Needs no rights
+/// but to fetch package lists, which is done as root alone.
+pub fn download(packages: &[&str], to: &Path) -> Result<(), String> {
+    let fetch = || {
+        let mut command = Command::new("apt-get");
+        command
+            .args(["download", "-q"])
+            .args(packages)
+            .current_dir(to);
+        eprintln!("$ {}", child::shown(&command));
+        child::visibly(&mut command).map_err(|problem| problem.to_string())
+    };
+    let fetched = fetch();
+    if fetched.is_err() && can_install() {
+        update()?;
+        return fetch();
+    }
+    fetched
 }
 
 /// The full path of a program, if it is on the search path.

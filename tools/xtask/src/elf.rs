@@ -4,7 +4,8 @@
 use std::fs;
 use std::path::Path;
 
-use object::{Object, ObjectSection, ObjectSymbol, SectionFlags, SectionKind, elf};
+use object::read::elf::{ElfFile32, ProgramHeader};
+use object::{Endianness, Object, ObjectSection, ObjectSymbol, SectionFlags, SectionKind, elf};
 
 /// The linked scene's symbol, in `targets/*/src/bin/demo.rs`.
 const SCENE_SYMBOL: &str = "FIXEL_SCENE";
@@ -66,6 +67,29 @@ impl Image {
     pub fn code_bytes(&self) -> u64 {
         self.flash_bytes - self.scene_bytes
     }
+}
+
+/// What a program loads, as one piece that begins at `start`: what is to be in flash or
+/// in a cartridge.
+pub fn flat(path: &Path, start: u32) -> Result<Vec<u8>, String> {
+    let fail = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
+    let bytes = fs::read(path).map_err(|error| fail(&error))?;
+    let file = ElfFile32::<Endianness>::parse(bytes.as_slice()).map_err(|error| fail(&error))?;
+    let mut image = Vec::new();
+    for segment in file.elf_program_headers() {
+        let data = segment.data(file.endian(), bytes.as_slice());
+        let data = data.map_err(|()| fail(&"a part is missing"))?;
+        if segment.p_type.get(file.endian()) != elf::PT_LOAD || data.is_empty() {
+            continue;
+        }
+        let address = segment.p_paddr.get(file.endian());
+        let at = address.checked_sub(start).ok_or(fail(&"it begins lower"))? as usize;
+        if image.len() < at + data.len() {
+            image.resize(at + data.len(), 0);
+        }
+        image[at..at + data.len()].copy_from_slice(data);
+    }
+    Ok(image)
 }
 
 /// What must not be in a firmware that draws with fixel.

@@ -1,4 +1,4 @@
-//! Runs a board's firmware in what the board says: QEMU or Node.
+//! Runs a board's firmware in what the board says: QEMU, Node or mGBA.
 
 use std::path::Path;
 use std::process::Command;
@@ -7,7 +7,7 @@ use std::time::Duration;
 use crate::board::{Board, Machine};
 use crate::problem::{Problem, Result};
 use crate::scene::Baked;
-use crate::{child, debian, paths, qemu};
+use crate::{child, debian, gba, libretro, paths, qemu};
 
 /// A run in Node that takes longer hangs.
 const LIMIT: Duration = Duration::from_secs(120);
@@ -17,6 +17,7 @@ pub fn provide(board: &Board) -> Result<()> {
     match &board.machine {
         Machine::Qemu(machine) => qemu::provide(machine),
         Machine::Node(_) => node(),
+        Machine::Mgba => libretro::provide().map(|_| ()),
     }
 }
 
@@ -58,6 +59,7 @@ pub fn render(
             let reason = format!("{} {}", finished.stdout, finished.stderr);
             Err(format!("{}: {}", child::shown(&command), reason.trim()).into())
         }
+        Machine::Mgba => gba::render(program, scene, arguments),
     }
 }
 
@@ -65,7 +67,7 @@ pub fn render(
 pub fn run(board: &Board, program: &Path, arguments: &[String]) -> Result<String> {
     match &board.machine {
         Machine::Qemu(machine) => qemu::run(board.name, machine, program, None, arguments),
-        Machine::Node(_) => {
+        Machine::Node(_) | Machine::Mgba => {
             Err(format!("{} has no firmware but the measuring one", board.name).into())
         }
     }

@@ -108,26 +108,35 @@ fn build_demo(board: &Board, scene: &scene::Baked, features: &str) -> Result<Dem
 
 /// Builds the host's measuring program.
 pub fn host(profile: HostProfile) -> Result<PathBuf> {
-    let folder = match profile {
-        HostProfile::Release => "release",
-        HostProfile::Checked => "checked",
-    };
-    let target_folder = paths::target_crate("host").join("target");
+    match profile {
+        HostProfile::Release => host_program("host", "measure", "release", None),
+        HostProfile::Checked => host_program("host", "measure", "checked", Some("small")),
+    }
+}
+
+/// Builds a program for this machine that is in `targets/`.
+pub fn host_program(
+    folder: &str,
+    name: &str,
+    profile: &str,
+    features: Option<&str>,
+) -> Result<PathBuf> {
+    let target_folder = paths::target_crate(folder).join("target");
     let mut command = Command::new("cargo");
     child::without_outer_cargo(&mut command);
     command
-        .args(["build", "--quiet", "--profile", folder])
+        .args(["build", "--quiet", "--profile", profile])
         .arg("--manifest-path")
-        .arg(manifest("host"))
+        .arg(manifest(folder))
         .arg("--target-dir")
         .arg(&target_folder)
         .current_dir(paths::root());
-    if profile == HostProfile::Checked {
-        command.args(["--features", "small"]);
+    if let Some(features) = features {
+        command.args(["--features", features]);
     }
     child::visibly(&mut command)?;
-    let name = format!("measure{}", std::env::consts::EXE_SUFFIX);
-    Ok(target_folder.join(folder).join(name))
+    let name = format!("{name}{}", std::env::consts::EXE_SUFFIX);
+    Ok(target_folder.join(profile).join(name))
 }
 
 /// Clippy over a board's crate. Debian's compiler comes without clippy.
@@ -183,7 +192,7 @@ fn target_folder(board: &Board) -> PathBuf {
 fn built(board: &Board, binary: &str) -> PathBuf {
     let folder = target_folder(board).join(board.target);
     let name = match board.machine {
-        Machine::Qemu(_) => binary.to_owned(),
+        Machine::Qemu(_) | Machine::Mgba => binary.to_owned(),
         Machine::Node(_) => format!("{binary}.wasm"),
     };
     folder.join("release").join(Path::new(&name))

@@ -15,6 +15,8 @@ mod emulator;
 mod firmware;
 mod footprint;
 mod gallery;
+mod gba;
+mod libretro;
 mod measure;
 mod parallel;
 mod parity;
@@ -36,6 +38,7 @@ use clap::{Args, Parser, Subcommand};
 use serde_json::Value;
 
 use board::Board;
+use measure::Target;
 use problem::Result;
 use report::Tally;
 
@@ -60,9 +63,13 @@ enum Task {
     Accuracy(Json),
     /// Render every scene in scenes/ on the host and on every emulated target,
     /// and fail if any byte differs.
+    #[command(after_help = board::list())]
     Parity {
         #[command(flatten)]
         json: Json,
+        /// Only the host and this board; may be given more than once
+        #[arg(long, value_name = "BOARD", value_parser = board::find)]
+        on: Vec<&'static Board>,
         /// Only these scenes, by name or file
         #[arg(value_name = "SCENE")]
         scenes: Vec<String>,
@@ -145,8 +152,9 @@ fn run(task: Task) -> Result<()> {
     match task {
         Task::Test { stage } => test::run(&stage),
         Task::Accuracy(json) => figures(&json, accuracy::run, accuracy::markdown),
-        Task::Parity { json, scenes } => {
-            figures(&json, |tally| parity::run(tally, &scenes), pretty)
+        Task::Parity { json, on, scenes } => {
+            let targets = Target::all_or_on(&on);
+            figures(&json, |tally| parity::run(tally, targets, &scenes), pretty)
         }
         Task::Bench {
             json,

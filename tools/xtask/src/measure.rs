@@ -52,6 +52,16 @@ impl Target {
         hosts.chain(board::all().map(Self::Board)).collect()
     }
 
+    /// The host and these boards, or all if there are none.
+    pub fn all_or_on(boards: &[&'static Board]) -> Vec<Self> {
+        if boards.is_empty() {
+            return Self::all();
+        }
+        let host = std::iter::once(Self::Host(HostProfile::Release));
+        host.chain(boards.iter().copied().map(Self::Board))
+            .collect()
+    }
+
     /// Whether a scene is compared there, if no scene is asked for.
     pub fn takes(self, scene: &str) -> bool {
         match self {

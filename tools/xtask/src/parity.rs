@@ -31,10 +31,10 @@ fn frames(scene: &str, target: Target, rows: u32) -> std::ops::Range<u32> {
     }
 }
 
-/// Renders the scenes named, or else all, on every target. Each pair of scene and
+/// Renders the scenes named, or else all, on the targets. Each pair of scene and
 /// target is one check; gives `{"scene": {"target": "hash"}}`.
-pub fn run(tally: &mut Tally, names: &[String]) -> Result<Value> {
-    let ready: Vec<Ready> = Target::all()
+pub fn run(tally: &mut Tally, targets: Vec<Target>, names: &[String]) -> Result<Value> {
+    let ready: Vec<Ready> = targets
         .into_iter()
         .filter_map(|target| {
             let name = format!("parity on {}", target.name());

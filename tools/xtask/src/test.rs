@@ -21,7 +21,7 @@ const STAGES: [Stage; 9] = [
     ("firmware-lints", firmware_lints),
     ("counter", counter),
     ("parity", |tally| {
-        let result = parity::run(tally, &[]);
+        let result = parity::run(tally, Target::all(), &[]);
         tally.need("parity", result);
     }),
     ("footprint", footprint_stage),
@@ -32,11 +32,13 @@ const STAGES: [Stage; 9] = [
 ];
 
 /// Crates in `targets/` that the host builds and tests.
-const HOST_CRATES: [&str; 3] = ["runner", "host", "demo"];
+const HOST_CRATES: [&str; 4] = ["runner", "host", "demo", "libretro"];
 /// Those of them that have tests and docs.
-const LIBRARIES: [&str; 2] = ["runner", "demo"];
+const TESTED: [&str; 3] = ["runner", "demo", "libretro"];
 /// All crates in `targets/`.
-const TARGET_CRATES: [&str; 6] = ["runner", "host", "demo", "cortex-m", "riscv", "wasm"];
+const TARGET_CRATES: [&str; 8] = [
+    "runner", "host", "demo", "libretro", "cortex-m", "riscv", "wasm", "gba",
+];
 
 /// The stages' names.
 pub fn names() -> Vec<&'static str> {
@@ -154,7 +156,7 @@ fn lints(tally: &mut Tally) {
 fn tests(tally: &mut Tally) {
     let mut command = cargo(&["test", "--workspace", "--no-fail-fast"]);
     cargo_tests(tally, "the workspace", &mut command);
-    for folder in LIBRARIES {
+    for folder in TESTED {
         let mut command = cargo_in(folder, &["test", "--quiet", "--no-fail-fast"]);
         cargo_tests(tally, &format!("targets/{folder}"), &mut command);
     }
@@ -231,7 +233,7 @@ fn docs(tally: &mut Tally) {
     let mut command = cargo(&["doc", "--workspace", "--no-deps"]);
     command.env("RUSTDOCFLAGS", "-D warnings");
     tally.check("docs of the workspace", child::visibly(&mut command));
-    for folder in LIBRARIES {
+    for folder in TESTED {
         let mut command = cargo_in(folder, &["doc", "--quiet", "--no-deps"]);
         command.env("RUSTDOCFLAGS", "-D warnings");
         let name = format!("docs of targets/{folder}");

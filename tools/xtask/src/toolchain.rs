@@ -1,7 +1,7 @@
 //! A compiler for each target, a formatter and lints, got where need be.
 //!
-//! For a target: what is installed already; else `rustup target add`; else
-//! Debian's compiler with its source, when we are root on Debian, which then
+//! For a target: what is installed already; else `rustup target add` (or the source of
+//! `core`, of targets for which rustup has nothing else); else Debian's compiler with its source, when we are root on Debian, which then
 //! builds `core` itself. Each only for the child process: no cargo
 //! configuration is written, and host builds see nothing of it.
 //! `FIXEL_TOOLCHAIN=rustup` or `=debian` takes one way only.
@@ -21,6 +21,8 @@ const DEBIAN_LINKER: &str = "ld.lld-22";
 /// The same linker under the name by which it asks for the kind of output.
 const DEBIAN_WASM_LINKER: &str = "lld-22";
 const DEBIAN_CORE: &str = "/usr/lib/rustlib/src/rust/library/core/Cargo.toml";
+/// Targets that rustup has no `core` for, only its source.
+const FROM_SOURCE: [&str; 1] = ["thumbv4t-none-eabi"];
 /// How long a download may take before the next way is tried.
 const DOWNLOAD_LIMIT: Duration = Duration::from_secs(300);
 
@@ -29,6 +31,8 @@ const DOWNLOAD_LIMIT: Duration = Duration::from_secs(300);
 pub enum Route {
     /// The one that built this program, with the target's `core` beside it.
     Installed,
+    /// The same, which builds `core` from the source beside it.
+    Source,
     /// Debian's, which builds `core` from source.
     Debian,
 }
@@ -37,10 +41,15 @@ impl Route {
     /// Cargo for builds for `target`, in a clean environment.
     pub fn cargo(self, target: &str) -> Command {
         let mut command = match self {
-            Self::Installed => Command::new("cargo"),
+            Self::Installed | Self::Source => Command::new("cargo"),
             Self::Debian => Command::new("/usr/bin/cargo"),
         };
         child::without_outer_cargo(&mut command);
+        if self != Self::Installed {
+            command
+                .env("RUSTC_BOOTSTRAP", "1")
+                .env("CARGO_UNSTABLE_BUILD_STD", "core");
+        }
         if self == Self::Debian {
             let path = std::env::var_os("PATH").unwrap_or_default();
             let mut folders = vec![PathBuf::from("/usr/bin")];
@@ -56,8 +65,6 @@ impl Route {
             };
             command
                 .env("PATH", std::env::join_paths(folders).unwrap_or(path))
-                .env("RUSTC_BOOTSTRAP", "1")
-                .env("CARGO_UNSTABLE_BUILD_STD", "core")
                 .env(linker, program)
                 .env_remove("RUSTUP_TOOLCHAIN");
         }
@@ -67,7 +74,7 @@ impl Route {
     /// The compiler's version, because figures depend on it.
     pub fn version(self) -> String {
         let rustc = match self {
-            Self::Installed => "rustc",
+            Self::Installed | Self::Source => "rustc",
             Self::Debian => "/usr/bin/rustc",
         };
         let version = child::output(Command::new(rustc).arg("--version"));
@@ -97,7 +104,13 @@ fn search(target: &str) -> Result<Route> {
     }
     // Rustup may say that a target is there whose files are not.
     let added = || rustup(&["target", "add", target]) && has_core(target);
-    if wanted != "debian" && (has_core(target) || added()) {
+    let from_source = FROM_SOURCE.contains(&target);
+    if from_source && wanted != "debian" {
+        let added = || rustup(&["component", "add", "rust-src"]) && has_source();
+        if has_source() || added() {
+            return Ok(Route::Source);
+        }
+    } else if wanted != "debian" && (has_core(target) || added()) {
         return Ok(Route::Installed);
     }
     if wanted != "rustup" {
@@ -112,8 +125,13 @@ fn search(target: &str) -> Result<Route> {
             }
         }
     }
+    let with_rustup = if from_source {
+        "rustup component add rust-src".to_owned()
+    } else {
+        format!("rustup target add {target}")
+    };
     Err(Problem::Missing(format!(
-        "no compiler for {target}: `rustup target add {target}` would bring it, \
+        "no compiler for {target}: `{with_rustup}` would bring it, \
          or as root on Debian `apt-get install {}`",
         DEBIAN_PACKAGES.join(" ")
     )))
@@ -121,15 +139,22 @@ fn search(target: &str) -> Result<Route> {
 
 /// Whether the compiler at hand has the target's `core`.
 fn has_core(target: &str) -> bool {
+    rustlib().is_some_and(|folder| folder.join(target).join("lib").is_dir())
+}
+
+/// Whether it has the source of `core`.
+fn has_source() -> bool {
+    rustlib().is_some_and(|folder| folder.join("src/rust/library/core/Cargo.toml").is_file())
+}
+
+/// Where the compiler at hand keeps libraries.
+fn rustlib() -> Option<PathBuf> {
     let mut command = Command::new("rustc");
     command
         .args(["--print", "sysroot"])
         .current_dir(paths::root());
-    let sysroot = child::output(&mut command);
-    sysroot.is_some_and(|sysroot| {
-        let folder = Path::new(sysroot.trim()).join("lib/rustlib").join(target);
-        folder.join("lib").is_dir()
-    })
+    let sysroot = child::output(&mut command)?;
+    Some(Path::new(sysroot.trim()).join("lib/rustlib"))
 }
 
 fn debian_is_complete() -> bool {
@@ -201,5 +226,14 @@ mod tests {
     fn an_installed_compiler_needs_nothing_special() {
         let command = Route::Installed.cargo("thumbv6m-none-eabi");
         assert!(command.get_envs().all(|(_, value)| value.is_none()));
+    }
+
+    #[test]
+    fn core_from_source_takes_the_usual_linker() {
+        let command = Route::Source.cargo("thumbv4t-none-eabi");
+        let std = variable(&command, "CARGO_UNSTABLE_BUILD_STD");
+        assert_eq!(std.as_deref(), Some("core"));
+        let linker = variable(&command, "CARGO_TARGET_THUMBV4T_NONE_EABI_LINKER");
+        assert_eq!(linker, None);
     }
 }
