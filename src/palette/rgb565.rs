@@ -4,10 +4,17 @@ use super::Palette;
 
 /// 5, 6 and 5 bits of red, green and blue, each rounded to nearest.
 pub const fn rgb565([r, g, b]: [u8; 3]) -> u16 {
-    const fn round(v: u8, most: u16) -> u16 {
-        (v as u16 * most + 127) / 255
-    }
     round(r, 31) << 11 | round(g, 63) << 5 | round(b, 31)
+}
+
+/// 5 bits each of blue, green and red, blue in the highest but one, each rounded to
+/// nearest: as the palettes of some consoles' panels have them.
+pub const fn bgr555([r, g, b]: [u8; 3]) -> u16 {
+    round(b, 31) << 10 | round(g, 31) << 5 | round(r, 31)
+}
+
+const fn round(v: u8, most: u16) -> u16 {
+    (v as u16 * most + 127) / 255
 }
 
 /// 5, 6 and 5 bits of a sum of four samples, whose red, green and blue have 10 bits

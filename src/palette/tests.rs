@@ -49,3 +49,13 @@ fn entries_go_round_within_their_range() {
     assert_eq!(shown(1, 4, 7), [0, 4, 1, 2, 3, 5]);
     assert_eq!(shown(0, 6, 6), [0, 1, 2, 3, 4, 5]);
 }
+
+#[test]
+fn colours_of_consoles() {
+    let of = super::bgr555;
+    assert_eq!(of([255, 0, 0]), 0x001F);
+    assert_eq!(of([0, 255, 0]), 0x03E0);
+    assert_eq!(of([0, 0, 255]), 0x7C00);
+    // 4.11 is a half of a 31st.
+    assert_eq!(of([4, 5, 250]), 30 << 10 | 1 << 5);
+}

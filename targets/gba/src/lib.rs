@@ -3,6 +3,8 @@
 #![no_std]
 
 pub mod cycles;
+pub mod display;
+pub mod keys;
 pub mod report;
 mod start;
 

@@ -51,8 +51,11 @@ pub fn print(text: &[u8]) {
     }
 }
 
-/// One more picture is on the panel.
-pub fn shown() {
+/// One more picture is on the panel; the text is this line about it from now on.
+pub fn shown(line: &[u8]) {
+    // SAFETY: as in `begin`.
+    unsafe { ptr::write_volatile(&raw mut REPORT.length, 0) }
+    print(line);
     // SAFETY: as in `begin`.
     unsafe {
         let pictures = ptr::read_volatile(&raw const REPORT.pictures);

@@ -3,7 +3,8 @@
 //!
 //! - `end`: until the program says that it has ended; prints its report's text, and
 //!   fails if the program does;
-//! - `pictures N`: until it has shown that many pictures since its start;
+//! - `pictures N`: until it has shown that many pictures since its start; prints its
+//!   report's text, which is about the last of them;
 //! - `frames N`: for that many of the panel's own;
 //! - `hold BUTTONS`: holds these from now on, separated by commas (`up`, `a`, `l`,
 //!   ...; `none`);
@@ -57,7 +58,8 @@ fn run(arguments: &[String]) -> Result<(), String> {
             "pictures" => {
                 let count = number(operand()?)?;
                 let what = format!("picture {count}");
-                until(&mut core, &what, |report| report.pictures >= count)?;
+                let report = until(&mut core, &what, |report| report.pictures >= count)?;
+                print!("{}", report.text);
             }
             "frames" => (0..number(operand()?)?).for_each(|_| core.frame()),
             "hold" => core::hold(operand()?)?,

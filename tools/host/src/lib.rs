@@ -16,5 +16,5 @@ pub use colour::{colours, shown};
 pub use compare::frame;
 pub use panel::is_dithered;
 pub use picture::picture;
-pub use planes::{Options, Planes, pick, render};
+pub use planes::{Options, Planes, pick, render, render_turned};
 pub use rays::{ray_frame, render_rays};

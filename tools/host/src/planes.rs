@@ -4,10 +4,11 @@ use std::convert::Infallible;
 
 use fixel::display::Display;
 use fixel::frame::BandRows;
+use fixel::math::Angle;
 use fixel::palette::Palette;
 use fixel::render::{
     FrameStats, Paint, PaintActor, PaintLight, PaintTexel, PaintTriangle, Picked, Scratch, Shaded,
-    render_frame_with,
+    render_frame, render_frame_with,
 };
 use fixel::scene::{Dither, Pose};
 use fixel::{Band, Scene};
@@ -76,6 +77,19 @@ impl Display for Collector {
 pub fn render(scene: &Scene<'_>, options: &Options) -> Planes {
     let dither = scene.dither();
     paint(&Shaded { dither }, scene, options)
+}
+
+/// The same with the object turned about the vertical axis, by as much as buttons have
+/// turned it.
+pub fn render_turned(scene: &Scene<'_>, options: &Options, turn: Angle) -> Planes {
+    let mut scratch = Box::new(HostScratch::new());
+    collected(scene, options, |pose, band, collector| {
+        let mut pose = *pose;
+        pose.turn = pose.turn.plus(turn);
+        let work = &mut scratch.workspace();
+        let Ok(stats) = render_frame(scene, &pose, work, band, collector);
+        stats
+    })
 }
 
 /// Renders the palette indices without dithering.

@@ -1,7 +1,7 @@
 //! Runs firmware in an emulator that is a libretro core: mGBA. `targets/libretro` is
 //! its front end, which takes steps and writes pictures.
 
-use std::ffi::OsStr;
+use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Mutex;
@@ -92,7 +92,7 @@ fn unpack(to: &Path) -> Result<()> {
 
 impl Player {
     /// Runs a cartridge through the front end's steps; gives its standard output.
-    pub fn run(&self, rom: &Path, steps: &[&OsStr]) -> Result<String> {
+    pub fn run(&self, rom: &Path, steps: &[OsString]) -> Result<String> {
         let mut command = Command::new(&self.program);
         command.arg(&self.core).arg(rom).args(steps);
         if let Some(libraries) = &self.libraries {

@@ -3,13 +3,14 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::board::Board;
+use crate::board::{Board, Machine};
 use crate::firmware::Parts;
 use crate::measure::Target;
 use crate::problem::Result;
-use crate::{firmware, paths, scene};
+use crate::{firmware, gba, paths, scene};
 
-/// Builds the demo firmware with a scene linked in; gives the ELF file.
+/// Builds the demo firmware with a scene linked in; gives the file that goes to the
+/// board: an ELF file, or a cartridge.
 pub fn build(board: &Board, scene_name: &str) -> Result<PathBuf> {
     let baked = scene::bake(scene_name)?;
     let demo = firmware::demo(board, &baked, Parts::All)?;
@@ -21,7 +22,10 @@ pub fn build(board: &Board, scene_name: &str) -> Result<PathBuf> {
         image.scene_bytes,
         image.static_ram_bytes
     );
-    Ok(demo.path)
+    match board.machine {
+        Machine::Mgba => gba::cartridge(&demo.path),
+        Machine::Qemu(_) | Machine::Node(_) => Ok(demo.path),
+    }
 }
 
 /// Renders one frame of a scene on a board in its emulator, and writes what a
@@ -33,13 +37,21 @@ pub fn run(
     band_rows: u32,
     to: &Path,
 ) -> Result<()> {
+    if matches!(board.machine, Machine::Mgba) {
+        let rom = build(board, scene_name)?;
+        let shown = gba::play(&rom, frame + 1, ("none", 1))?;
+        gba::write_png(to, &shown)?;
+        let (cycles, to) = (shown.cycles, to.display());
+        eprintln!("{}: frame {frame}, {cycles} cycles, {to}", board.name);
+        return gba::check(&scene::bake(scene_name)?, &shown);
+    }
     let ready = Target::Board(board).prepare()?;
     let baked = scene::bake(scene_name)?;
     let raw = paths::work("pictures")?.join(format!("{}.rgb565", board.name));
     let lines = ready.frames(&baked, frame..frame + 1, band_rows, Some(&raw))?;
     let line = lines.first().ok_or("no frame")?;
     let panel = fs::read(&raw).map_err(|error| format!("{}: {error}", raw.display()))?;
-    write_png(to, line.width, line.height, &panel)?;
+    write_png(to, line.width, line.height, &rgb888(&panel))?;
     eprintln!(
         "{}: frame {}, {} pixels covered, {} instructions, {}",
         board.name,
@@ -51,9 +63,9 @@ pub fn run(
     Ok(())
 }
 
-fn write_png(to: &Path, width: u32, height: u32, panel: &[u8]) -> Result<()> {
+/// Writes a picture of three bytes a pixel.
+pub fn write_png(to: &Path, width: u32, height: u32, rgb: &[u8]) -> Result<()> {
     let fail = |error: &dyn std::fmt::Display| format!("{}: {error}", to.display());
-    let rgb = rgb888(panel);
     if rgb.len() as u64 != u64::from(width) * u64::from(height) * 3 {
         return Err(fail(&"the panel's bytes are not one frame").into());
     }
@@ -62,9 +74,7 @@ fn write_png(to: &Path, width: u32, height: u32, panel: &[u8]) -> Result<()> {
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     let mut writer = encoder.write_header().map_err(|error| fail(&error))?;
-    writer
-        .write_image_data(&rgb)
-        .map_err(|error| fail(&error))?;
+    writer.write_image_data(rgb).map_err(|error| fail(&error))?;
     Ok(())
 }
 

@@ -3,17 +3,19 @@
 use std::process::Command;
 use std::time::Instant;
 
-use crate::board::BOARDS;
+use crate::board::{self, BOARDS};
 use crate::measure::Target;
 use crate::problem::Result;
 use crate::report::Tally;
-use crate::{accuracy, child, firmware, footprint, gallery, parity, paths, scene, toolchain};
+use crate::{
+    accuracy, child, firmware, footprint, gallery, gba, parity, paths, picture, scene, toolchain,
+};
 
 /// A stage: its name, and what it does.
 type Stage = (&'static str, fn(&mut Tally));
 
 /// In this order: what is quick and fails often comes first.
-const STAGES: [Stage; 9] = [
+const STAGES: [Stage; 10] = [
     ("format", format),
     ("lints", lints),
     ("tests", tests),
@@ -24,6 +26,7 @@ const STAGES: [Stage; 9] = [
         let result = parity::run(tally, Target::all(), &[]);
         tally.need("parity", result);
     }),
+    ("gba", gba_stage),
     ("footprint", footprint_stage),
     ("accuracy", |tally| {
         let result = accuracy::run(tally);
@@ -270,6 +273,39 @@ fn footprint_stage(tally: &mut Tally) {
     tally.check("a faulty firmware is found out", result);
     let result = footprint::run(tally);
     tally.need("footprint", result);
+}
+
+/// Scenes that are played on the Game Boy Advance: one that turns, one whose palette
+/// moves.
+const PLAYED: [&str; 2] = ["teapot", "palette_cycle"];
+
+/// The panel of the Game Boy Advance shows what this machine draws, and its keys turn
+/// the object.
+fn gba_stage(tally: &mut Tally) {
+    let board = match board::find("gba") {
+        Ok(board) => board,
+        Err(error) => {
+            tally.check::<()>("the board gba", Err(error.into()));
+            return;
+        }
+    };
+    for scene in PLAYED {
+        let baked = scene::bake(scene);
+        let rom = picture::build(board, scene);
+        let ready = baked.and_then(|baked| Ok((baked, rom?)));
+        let Some((baked, rom)) = tally.need(&format!("{scene} on {}", board.name), ready) else {
+            continue;
+        };
+        let shown = gba::play(&rom, 2, ("none", 1));
+        let result = shown.and_then(|shown| gba::check(&baked, &shown));
+        tally.check(
+            &format!("the panel of {} shows {scene}", board.name),
+            result,
+        );
+        let shown = gba::play(&rom, 5, ("right", 3));
+        let result = shown.and_then(|shown| gba::check_turned(&baked, &shown));
+        tally.check(&format!("keys of {} turn {scene}", board.name), result);
+    }
 }
 
 #[cfg(test)]
