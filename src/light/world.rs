@@ -24,18 +24,16 @@ impl WorldLights {
         count: 0,
     };
 
-    /// Those of a scene.
-    pub fn new(scene: &Scene<'_>) -> Self {
-        let mut lights = Self::NONE;
+    /// Becomes those of a scene.
+    pub fn set(&mut self, scene: &Scene<'_>) {
         let found = scene.lights();
-        lights.count = found.len().min(LIGHTS);
+        self.count = found.len().min(LIGHTS);
         // World units a unit: 2^-14.
         let unit = Scaled::new(1, SHIFT as i32 - 16);
-        for (source, light) in lights.sources.iter_mut().zip(found) {
+        for (source, light) in self.sources.iter_mut().zip(found) {
             let place = light.position.map(|c| c >> SHIFT);
             *source = Source::at(&light, shorten(light.towards), place, unit);
         }
-        lights
     }
 
     /// All of them.

@@ -29,6 +29,8 @@ pub(super) struct RayActor {
     /// What of it a ray from the camera sees.
     pub faces: Faces,
     pub optics: Optics,
+    /// The texture that it is cut out by, if it is.
+    pub holes: Option<u8>,
 }
 
 /// A place in an actor's grid.
@@ -55,8 +57,9 @@ impl GridPlace {
 }
 
 impl RayActor {
+    /// All zero: a frame begins by saying whose each is.
     pub(super) const EMPTY: Self = Self {
-        number: u16::MAX,
+        number: 0,
         mesh: 0,
         material: 0,
         to_grid: [[0; 3]; 3],
@@ -68,8 +71,16 @@ impl RayActor {
             first_node: 0,
             nodes: 0,
         },
-        faces: Faces::BOTH,
-        optics: Optics::PLAIN,
+        faces: Faces {
+            front: false,
+            back: false,
+        },
+        optics: Optics {
+            reflectivity: 0,
+            opacity: 0,
+            index: 0,
+        },
+        holes: None,
     };
 
     /// Actor `number` of a scene, which is at `place`.
@@ -108,7 +119,9 @@ impl RayActor {
         };
         let radius = steps.times(step);
         let optics = scene.optics(actor.material);
-        let cull = scene.material(actor.material).cull;
+        let material = scene.material(actor.material);
+        let cull = material.cull;
+        let is_cut_out = |number: &u8| scene.texture(*number).is_some_and(|t| t.cut_out);
         let glass = optics.opacity < 1 << 16;
         let faces = Faces {
             front: glass || cull != Cull::Front,
@@ -127,6 +140,7 @@ impl RayActor {
             shape,
             faces,
             optics,
+            holes: material.texture.filter(is_cut_out),
         }
     }
 

@@ -3,6 +3,7 @@
 use super::beam::TileRays;
 use super::ray::{FAR, Ray, moved};
 use crate::math::{Rect, SUBPX_BITS, Scaled, Unit3, Vec3, mul_high_u, reciprocal, unit};
+use crate::scene::PlacedViewport;
 use crate::view::{DepthMap, ViewFrame};
 
 /// Fractional bits of what changes from pixel to pixel.
@@ -43,7 +44,18 @@ pub(super) struct Cast {
 }
 
 impl RayCamera {
-    pub(super) fn new(frame: &ViewFrame) -> Self {
+    /// That of a viewport. By itself: it takes much of the stack for a short while.
+    #[inline(never)]
+    pub(super) fn of(viewport: &PlacedViewport) -> Self {
+        Self::new(&ViewFrame::of(viewport))
+    }
+
+    /// How the viewport is seen.
+    pub(super) fn frame(&self) -> &ViewFrame {
+        &self.frame
+    }
+
+    fn new(frame: &ViewFrame) -> Self {
         let [mx, my] = frame.lens.mantissas.map(|m| i64::from(m.max(1)));
         let fraction = if frame.perspective {
             FINE as i32

@@ -1,7 +1,7 @@
 //! A frame, tile by tile.
 
 use super::actors::RayActors;
-use super::light::RayLights;
+use super::progressive::Pass;
 use super::scratch::RayWorkspace;
 use super::tile::Drawing;
 use super::trace::Tracer;
@@ -75,7 +75,6 @@ pub fn render_frame<D: Display>(
 ///
 /// # Errors
 /// Those of the display; drawing itself cannot fail.
-#[inline(never)]
 pub fn render_frame_watched<D: Display, W: Watch>(
     scene: &Scene<'_>,
     pose: &Pose<'_>,
@@ -83,6 +82,20 @@ pub fn render_frame_watched<D: Display, W: Watch>(
     band: &mut Band<'_>,
     display: &mut D,
     watch: &mut W,
+) -> Result<RayStats, D::Error> {
+    let pass = &mut Pass::whole();
+    draw_pass(scene, pose, work, band, display, (watch, pass))
+}
+
+/// Draws the pixels of a pass, and has each watched.
+#[inline(never)]
+pub(super) fn draw_pass<D: Display, W: Watch>(
+    scene: &Scene<'_>,
+    pose: &Pose<'_>,
+    work: &mut RayWorkspace<'_>,
+    band: &mut Band<'_>,
+    display: &mut D,
+    (watch, pass): (&mut W, &mut Pass<'_>),
 ) -> Result<RayStats, D::Error> {
     let mut stats = RayStats::default();
     let (width, height) = (band.width(), pose.height);
@@ -97,13 +110,14 @@ pub fn render_frame_watched<D: Display, W: Watch>(
         cycle,
     };
     // 1. Lights; actors follow when first needed.
-    let lights = RayLights::new(scene);
+    work.lights.set(scene);
     work.windows.clear();
     let mut tracer = Tracer {
         scene,
         actors: RayActors::new(scene, pose, work.slots, work.spheres),
-        lights: &lights,
+        lights: work.lights,
         windows: work.windows,
+        waiting: work.waiting,
         settings: scene.ray_settings(),
         palette,
         background: scene.viewport_background(0),
@@ -130,6 +144,7 @@ pub fn render_frame_watched<D: Display, W: Watch>(
                 viewport,
                 dither: scene.dither(),
                 stats: &mut stats,
+                pass: &mut *pass,
             };
             drawing.draw(&mut part);
         }

@@ -81,7 +81,7 @@ impl Gathered {
                 return false;
             };
             let mesh = scene.mesh(actor.mesh);
-            let tree = Hierarchy::new(scene, &mesh, first_node);
+            let tree = Hierarchy::new(scene, &mesh, first_node, None);
             let (list, bits) = (&mut self.list, &mut self.bits);
             let all = beam.walk(&tree, &mut self.left, |leaf| {
                 for (triangle, corners) in tree.corners(leaf, &from) {

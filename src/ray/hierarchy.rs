@@ -5,10 +5,10 @@
 //! in 8. Nothing is divided, nothing overflows, and what roundings may take is added:
 //! a box around something that is met is met.
 
-use super::actor::GridPlace;
 use super::box_test::{BoxTest, SLOPE_BITS};
 use super::grid_ray::{AXES, GridRay};
-use super::triangle::{Faces, Points, TriangleHit, meet};
+use super::leaves::{Wanted, Way};
+use super::triangle::{Faces, TriangleHit};
 use crate::math::mul_high;
 use crate::scene::layout::RAY_STACK;
 use crate::scene::{Child, Leaf, Mesh, Meshlet, Node, Record, Scene};
@@ -16,18 +16,12 @@ use crate::scene::{Child, Leaf, Mesh, Meshlet, Node, Record, Scene};
 /// A mesh's hierarchy.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hierarchy<'a> {
-    scene: &'a Scene<'a>,
-    mesh: &'a Mesh,
+    pub scene: &'a Scene<'a>,
+    pub mesh: &'a Mesh,
     nodes: &'a [<Node as Record>::Words],
-    meshlets: &'a [<Meshlet as Record>::Words],
-}
-
-/// What is wanted of a way through a hierarchy.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Wanted {
-    Nearest,
-    Any,
-    Count,
+    pub meshlets: &'a [<Meshlet as Record>::Words],
+    /// The texture that triangles are cut out by, if they are.
+    pub holes: Option<u8>,
 }
 
 /// What is left for later: a node's word for a child, and how far ahead its box is.
@@ -37,35 +31,19 @@ struct Left {
     ahead: i32,
 }
 
-/// The way so far.
-struct Way {
-    /// The nearest triangle.
-    nearest: Option<TriangleHit>,
-    /// How many there are.
-    count: u32,
-    /// Between which distances.
-    range: (i32, i32),
-    faces: Faces,
-}
-
-impl Way {
-    fn new(faces: Faces, range: (i32, i32)) -> Self {
-        Self {
-            nearest: None,
-            count: 0,
-            range,
-            faces,
-        }
-    }
-}
-
 impl<'a> Hierarchy<'a> {
-    pub(super) fn new(scene: &'a Scene<'a>, mesh: &'a Mesh, first_node: u32) -> Self {
+    pub(super) fn new(
+        scene: &'a Scene<'a>,
+        mesh: &'a Mesh,
+        first_node: u32,
+        holes: Option<u8>,
+    ) -> Self {
         Self {
             scene,
             mesh,
             nodes: scene.nodes_from(first_node),
             meshlets: scene.meshlets_of(mesh),
+            holes,
         }
     }
 
@@ -73,75 +51,6 @@ impl<'a> Hierarchy<'a> {
     #[inline(always)]
     pub(super) fn node_words(&self, number: u32) -> Option<&'a <Node as Record>::Words> {
         self.nodes.get(number as usize)
-    }
-
-    /// The corners of a leaf's triangles as they are off a place, with their numbers.
-    #[inline(always)]
-    pub(super) fn corners(
-        &self,
-        leaf: Leaf,
-        from: &GridPlace,
-    ) -> impl Iterator<Item = (u8, [[i32; 3]; 3])> {
-        let words = self.meshlets.get(leaf.meshlet as usize);
-        let meshlet = words.map(Meshlet::from_words);
-        let points = meshlet.map(|meshlet| Points::new(self.scene, self.mesh, meshlet));
-        let numbers = leaf.first..leaf.first.saturating_add(leaf.count);
-        points.into_iter().flat_map(move |points| {
-            numbers.clone().map(move |number| {
-                let corners = points.corners(number);
-                (number, corners.map(|corner| from.off(points.place(corner))))
-            })
-        })
-    }
-
-    /// The nearest of some triangles that a ray meets within a range.
-    #[inline(always)]
-    pub(super) fn nearest_of(
-        &self,
-        ray: &GridRay,
-        faces: Faces,
-        range: (i32, i32),
-        triangles: impl Iterator<Item = (u32, u8)>,
-    ) -> Option<TriangleHit> {
-        self.some(ray, faces, range, Wanted::Nearest, triangles)
-            .nearest
-    }
-
-    /// Whether a ray meets any of some triangles.
-    #[inline(always)]
-    pub(super) fn any_of(
-        &self,
-        ray: &GridRay,
-        range: (i32, i32),
-        triangles: impl Iterator<Item = (u32, u8)>,
-    ) -> bool {
-        let way = self.some(ray, Faces::BOTH, range, Wanted::Any, triangles);
-        way.count != 0
-    }
-
-    /// What is met of some triangles.
-    #[inline(always)]
-    fn some(
-        &self,
-        ray: &GridRay,
-        faces: Faces,
-        range: (i32, i32),
-        wanted: Wanted,
-        triangles: impl Iterator<Item = (u32, u8)>,
-    ) -> Way {
-        let mut way = Way::new(faces, range);
-        for (meshlet, first) in triangles {
-            let leaf = Leaf {
-                meshlet,
-                first,
-                count: 1,
-            };
-            self.leaf(ray, leaf, wanted, &mut way);
-            if wanted == Wanted::Any && way.count != 0 {
-                break;
-            }
-        }
-        way
     }
 
     /// The nearest triangle that a ray meets within a range, in units of its third axis.
@@ -193,7 +102,10 @@ impl<'a> Hierarchy<'a> {
         let mut word = 0u32;
         loop {
             if word >> 31 == 0 {
-                count = self.node((ray, [0; 2]), word, way.range, &mut left, count);
+                let first = count;
+                self.node((ray, [0; 2]), word, way.range, |word, ahead| {
+                    count = leave(&mut left, first, count, Left { word, ahead });
+                });
             } else if let Child::Leaf(leaf) = Child::from_word(word.to_le()) {
                 self.leaf(ray, leaf, wanted, &mut way);
                 if wanted == Wanted::Any && way.count != 0 {
@@ -214,20 +126,26 @@ impl<'a> Hierarchy<'a> {
     }
 
     /// Goes through all leaves that parallel rays may meet, which are up to `thick` to the
-    /// sides of this one along both axes and end after `nearest`; `false` if `leaf` said so, and then ended there.
+    /// sides of this one along both axes and end after `nearest`; `false` if `leaf` said
+    /// so, and then ended there. `left` is for what is left for later.
     pub(super) fn walk_window(
         &self,
         ray: &GridRay,
         thick: [i32; 2],
         nearest: i32,
+        left: &mut [u32; RAY_STACK],
         mut leaf: impl FnMut(Leaf) -> bool,
     ) -> bool {
-        let mut left = [Left { word: 0, ahead: 0 }; RAY_STACK];
         let (mut count, mut word) = (0, 0);
         loop {
             if word >> 31 == 0 {
-                let range = (nearest, i32::MAX);
-                count = self.node((ray, thick), word, range, &mut left, count);
+                self.node((ray, thick), word, (nearest, i32::MAX), |word, _| {
+                    // The parser made sure that there is room.
+                    if let Some(slot) = left.get_mut(count) {
+                        *slot = word;
+                        count += 1;
+                    }
+                });
             } else if let Child::Leaf(found) = Child::from_word(word.to_le())
                 && !leaf(found)
             {
@@ -237,23 +155,22 @@ impl<'a> Hierarchy<'a> {
                 return true;
             };
             count -= 1;
-            word = next.word;
+            word = *next;
         }
     }
 
-    /// Leaves the boxes of a node for later that a ray meets, or one that is up to `thick`
-    /// to its sides; the nearest last.
+    /// Hands on the boxes of a node that a ray meets, or one that is up to `thick` to its
+    /// sides: their words, and how far ahead they are.
     #[inline(always)]
     fn node(
         &self,
         (ray, thick): (&GridRay, [i32; 2]),
         number: u32,
         (nearest, farthest): (i32, i32),
-        left: &mut [Left; RAY_STACK],
-        first: usize,
-    ) -> usize {
+        mut met: impl FnMut(u32, i32),
+    ) {
         let Some(words) = self.nodes.get(number as usize) else {
-            return first;
+            return;
         };
         let [o0, o1, o2, rest @ ..] = words;
         let origin = [*o0, *o1, *o2].map(|word| u32::from_le(word) as i32);
@@ -284,7 +201,7 @@ impl<'a> Hierarchy<'a> {
         };
         let [thick_x, thick_y] = thick;
         if !small && (missed(x, thick_x) || missed(y, thick_y)) {
-            return first;
+            return;
         }
         let down = exponent - 1 - SLOPE_BITS as i32;
         let in_units = |c: i32| {
@@ -357,7 +274,6 @@ impl<'a> Hierarchy<'a> {
             range: (from, to),
             small,
         };
-        let mut count = first;
         for child in 0..4u32 {
             let word = children.get(child as usize).copied().unwrap_or(0);
             if word == 0 {
@@ -373,27 +289,7 @@ impl<'a> Hierarchy<'a> {
             } else {
                 nz.saturating_add(high << exponent).saturating_neg()
             };
-            count = leave(left, first, count, Left { word, ahead });
-        }
-        count
-    }
-
-    #[inline(always)]
-    fn leaf(&self, ray: &GridRay, leaf: Leaf, wanted: Wanted, way: &mut Way) {
-        let Some(words) = self.meshlets.get(leaf.meshlet as usize) else {
-            return;
-        };
-        let points = Points::new(self.scene, self.mesh, Meshlet::from_words(words));
-        for triangle in leaf.first..leaf.first.saturating_add(leaf.count) {
-            let number = (leaf.meshlet, triangle);
-            let Some(hit) = meet(ray, &points, number, way.faces, way.range) else {
-                continue;
-            };
-            way.count += 1;
-            if wanted == Wanted::Nearest && way.nearest.is_none_or(|best| hit.before(&best)) {
-                way.range.1 = hit.ahead;
-                way.nearest = Some(hit);
-            }
+            met(word, ahead);
         }
     }
 }

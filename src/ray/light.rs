@@ -37,13 +37,12 @@ impl RayLights {
         }; LIGHTS],
     };
 
-    pub(super) fn new(scene: &Scene<'_>) -> Self {
-        let mut lights = Self {
-            model: WorldLights::new(scene),
-            ..Self::NONE
-        };
+    /// Those of a scene.
+    #[inline(never)]
+    pub(super) fn set(&mut self, scene: &Scene<'_>) {
+        self.model.set(scene);
         let found = scene.lights().enumerate();
-        for (lamp, (number, light)) in lights.lamps.iter_mut().zip(found) {
+        for (lamp, (number, light)) in self.lamps.iter_mut().zip(found) {
             let area = scene.light_area(number);
             let large = area != LightArea::POINT && light.kind != LightKind::Directional;
             *lamp = Lamp {
@@ -52,7 +51,6 @@ impl RayLights {
                 area: large.then_some(area),
             };
         }
-        lights
     }
 }
 

@@ -12,17 +12,22 @@ mod box_test;
 mod camera;
 mod coarse;
 mod coverage;
+mod follow;
 mod frame;
 mod gather;
 mod grid_ray;
 mod hierarchy;
+mod holes;
+mod leaves;
 mod light;
 mod nearest;
+mod progressive;
 #[expect(clippy::module_inception, reason = "that is what it has")]
 mod ray;
 mod rectangle;
 mod scratch;
 mod sequence;
+mod smooth;
 mod surface;
 mod tile;
 mod trace;
@@ -31,4 +36,5 @@ mod windows;
 
 pub use actors::RaySlot;
 pub use frame::{RayStats, Seen, Watch, render_frame, render_frame_watched};
+pub use progressive::{KeptPixel, render_progressively};
 pub use scratch::{RayScratch, RayWorkspace};

@@ -43,7 +43,7 @@ impl RayActor {
         let first_node = match self.shape {
             Shape::Triangles { first_node, .. } => first_node,
             Shape::Rectangle { half, .. } => {
-                let hit = self.meet_rectangle(ray, self.faces, half)?;
+                let hit = self.meet_rectangle(scene, ray, self.faces, half)?;
                 return (hit.distance < far).then_some(Met {
                     distance: hit.distance,
                     what: What::Rectangle(hit),
@@ -62,7 +62,7 @@ impl RayActor {
         }
         let grid = GridRay::new(self, ray, from?);
         let mesh = scene.mesh(self.mesh);
-        let tree = Hierarchy::new(scene, &mesh, first_node);
+        let tree = Hierarchy::new(scene, &mesh, first_node, self.holes);
         let range = (grid.units(self, ray.near), limit(&grid, self, far));
         let hit = match only {
             Some(only) => {
@@ -90,7 +90,7 @@ impl RayActor {
         let first_node = match self.shape {
             Shape::Triangles { first_node, .. } => first_node,
             Shape::Rectangle { half, .. } => {
-                let hit = self.meet_rectangle(ray, Faces::BOTH, half);
+                let hit = self.meet_rectangle(scene, ray, Faces::BOTH, half);
                 return hit.is_some().into();
             }
             _ => return self.count_ball(ray),
@@ -100,7 +100,7 @@ impl RayActor {
         };
         let grid = GridRay::new(self, ray, from);
         let mesh = scene.mesh(self.mesh);
-        let tree = Hierarchy::new(scene, &mesh, first_node);
+        let tree = Hierarchy::new(scene, &mesh, first_node, self.holes);
         let range = (0, grid.units(self, ray.far));
         if self.optics.opacity < 1 << 16 {
             tree.count(&grid, range)

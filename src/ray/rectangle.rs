@@ -1,6 +1,7 @@
 //! A ray and a rectangle.
 
 use super::actor::{RayActor, plus};
+use super::holes::is_hole;
 use super::ray::{Ray, between, moved};
 use super::surface::Surface;
 use super::triangle::Faces;
@@ -34,6 +35,7 @@ impl RayActor {
     #[inline(never)]
     pub(super) fn meet_rectangle(
         &self,
+        scene: &Scene<'_>,
         ray: &Ray,
         faces: Faces,
         half: [u32; 2],
@@ -68,13 +70,29 @@ impl RayActor {
         let from_centre = between(place, self.centre);
         let off = [along(from_centre, across), along(from_centre, down)];
         let mut sides = off.iter().zip(half);
-        let outside = sides.any(|(c, half)| c.unsigned_abs() > half);
-        (!outside).then_some(RectangleHit {
+        if sides.any(|(c, half)| c.unsigned_abs() > half) {
+            return None;
+        }
+        if let Some(texture) = self.holes
+            && self.is_hole(scene, texture, off)
+        {
+            return None;
+        }
+        Some(RectangleHit {
             distance,
             off,
             place,
             back,
         })
+    }
+
+    /// Whether its texture is cut out at a place.
+    #[cold]
+    #[inline(never)]
+    fn is_hole(&self, scene: &Scene<'_>, texture: u8, off: [i32; 2]) -> bool {
+        let mesh = scene.mesh(self.mesh);
+        let place = mesh.coordinates.map(|own| self.coordinates(&own, off));
+        place.is_some_and(|place| is_hole(scene, &mesh, texture, place))
     }
 
     /// The surface there.

@@ -2,7 +2,9 @@
 
 use super::actors::RaySlot;
 use super::coarse::Sphere;
+use super::follow::WaitingRays;
 use super::gather::Gathered;
+use super::light::RayLights;
 use super::windows::Windows;
 
 /// Working memory of a fixed size; put it into a `static`. `ACTORS` whose places are kept
@@ -15,6 +17,8 @@ pub struct RayScratch<const ACTORS: usize> {
     listed: [u16; ACTORS],
     gathered: Gathered,
     windows: Windows,
+    lights: RayLights,
+    waiting: WaitingRays,
 }
 
 impl<const ACTORS: usize> RayScratch<ACTORS> {
@@ -29,6 +33,8 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
             listed: [0; ACTORS],
             gathered: Gathered::EMPTY,
             windows: Windows::EMPTY,
+            lights: RayLights::NONE,
+            waiting: WaitingRays::NONE,
         }
     }
 
@@ -40,6 +46,8 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
             listed: &mut self.listed,
             gathered: &mut self.gathered,
             windows: &mut self.windows,
+            lights: &mut self.lights,
+            waiting: &mut self.waiting,
         }
     }
 }
@@ -62,4 +70,6 @@ pub struct RayWorkspace<'a> {
     pub(super) gathered: &'a mut Gathered,
     /// Triangles that rays to a light may meet.
     pub(super) windows: &'a mut Windows,
+    pub(super) lights: &'a mut RayLights,
+    pub(super) waiting: &'a mut WaitingRays,
 }

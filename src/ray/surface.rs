@@ -6,7 +6,7 @@ use super::ray::Ray;
 use super::triangle::{Points, TriangleHit};
 use crate::light::vertex_normal;
 use crate::math::{Unit3, mul_q30, unit};
-use crate::scene::{Meshlet, Record, Scene};
+use crate::scene::{Mesh, Meshlet, Record, Scene};
 
 /// A point of a surface.
 #[derive(Clone, Copy, Debug)]
@@ -97,15 +97,7 @@ impl RayActor {
             }
             _ => None,
         };
-        let all = scene.meshlet_coordinates(&meshlet, &mesh);
-        let own = |corner: usize| {
-            all.get(corner)
-                .map(|uv| uv.map(|c| i32::from(i16::from_le(c))))
-        };
-        let coordinates = match corners.map(own) {
-            [Some(a), Some(b), Some(c)] => Some(between(a, b, c, hit.weights)),
-            _ => None,
-        };
+        let coordinates = coordinates(scene, &mesh, &meshlet, corners, hit.weights);
         Some(Surface {
             place,
             face,
@@ -114,6 +106,25 @@ impl RayActor {
             coordinates,
             back: hit.back,
         })
+    }
+}
+
+/// Texture coordinates between a triangle's corners as the mesh has them, 8 fractional bits.
+pub(super) fn coordinates(
+    scene: &Scene<'_>,
+    mesh: &Mesh,
+    meshlet: &Meshlet,
+    corners: [usize; 3],
+    weights: [i32; 2],
+) -> Option<[i32; 2]> {
+    let all = scene.meshlet_coordinates(meshlet, mesh);
+    let own = |corner: usize| {
+        all.get(corner)
+            .map(|uv| uv.map(|c| i32::from(i16::from_le(c))))
+    };
+    match corners.map(own) {
+        [Some(a), Some(b), Some(c)] => Some(between(a, b, c, weights)),
+        _ => None,
     }
 }
 

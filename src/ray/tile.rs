@@ -5,23 +5,20 @@ use super::coverage;
 use super::frame::{RayStats, Seen, Watch};
 use super::gather::Gathered;
 use super::light::Seed;
+use super::progressive::Pass;
 use super::sequence::in_pixel;
 use super::trace::{Light, Shown, Tracer, lookup};
 use crate::fog::{self, FogDepths};
 use crate::frame::Target;
-use crate::light::Lit;
 use crate::math::Rect;
 use crate::scene::{Dither, PlacedViewport};
 use crate::shade::{Lookup, Pixel, dithered};
-use crate::view::ViewFrame;
 
 /// Columns and rows of a tile.
-const TILE: u16 = coverage::TILE as u16;
-/// Columns and rows of a tile with its neighbours.
-const GROWN: usize = TILE as usize + 2;
+pub(super) const TILE: u16 = coverage::TILE as u16;
 
 /// A viewport being drawn.
-pub(super) struct Drawing<'a, 's, W> {
+pub(super) struct Drawing<'a, 's, 'p, W> {
     pub tracer: &'a mut Tracer<'s>,
     /// Actors that a tile's rays may meet.
     pub listed: &'a mut [u16],
@@ -31,27 +28,18 @@ pub(super) struct Drawing<'a, 's, W> {
     pub viewport: PlacedViewport,
     pub dither: Dither,
     pub stats: &'a mut RayStats,
+    pub pass: &'a mut Pass<'p>,
 }
 
-/// What neighbours are compared by: red, green and blue, and the actor; background has
-/// none.
-#[derive(Clone, Copy)]
-struct Looks {
-    colour: Lit,
-    actor: u16,
-}
-
-/// No actor's number.
-const NOTHING: u16 = u16::MAX;
-
-impl<W: Watch> Drawing<'_, '_, W> {
+impl<W: Watch> Drawing<'_, '_, '_, W> {
     /// Draws the viewport's part of a band, whose first row is the target's.
+    #[inline(never)]
     pub(super) fn draw(&mut self, target: &mut Target<'_>) {
         let rect = self.viewport.rect;
         let background = self.tracer.background;
         target.clear(|y| background.at(y, rect.height()));
-        let frame = ViewFrame::of(&self.viewport);
-        let camera = RayCamera::new(&frame);
+        let camera = RayCamera::of(&self.viewport);
+        self.pass.begin(target, &rect);
         let samples = self.tracer.settings.samples;
         let mut top = target.top;
         while top < target.end {
@@ -65,7 +53,7 @@ impl<W: Watch> Drawing<'_, '_, W> {
                     right,
                     bottom,
                 };
-                if samples > 1 {
+                if samples > 1 && self.pass.is_whole() {
                     self.smooth_tile(&camera, target, &tile, samples);
                 } else {
                     self.tile(&camera, target, &tile);
@@ -74,16 +62,21 @@ impl<W: Watch> Drawing<'_, '_, W> {
             }
             top = bottom;
         }
+        self.pass.spread(target, &rect);
         let scene = self.tracer.scene;
         if cfg!(feature = "fog")
             && let (Some(fog), Some(table)) = (scene.fog(), scene.fog_table())
         {
-            fog::apply(target, table, &FogDepths::new(&frame, &fog.distances));
+            fog::apply(
+                target,
+                table,
+                &FogDepths::new(camera.frame(), &fog.distances),
+            );
         }
     }
 
     /// Lists the actors that may be seen in a tile; says how many.
-    fn list(&mut self, camera: &RayCamera, tile: &Rect) -> usize {
+    pub(super) fn list(&mut self, camera: &RayCamera, tile: &Rect) -> usize {
         let number = self.viewport.number;
         let mut count = 0;
         for actor in 0..self.tracer.actors.count() {
@@ -105,7 +98,7 @@ impl<W: Watch> Drawing<'_, '_, W> {
         if count == 0 {
             return;
         }
-        if self.part(camera, target, tile, count, false) {
+        if self.part(camera, target, tile, count, self.pass.is_sparse()) {
             return;
         }
         // There are more triangles than the list has room for.
@@ -130,7 +123,8 @@ impl<W: Watch> Drawing<'_, '_, W> {
         anyway: bool,
     ) -> bool {
         let listed = self.listed.get(..count);
-        let gathered = listed.is_some_and(|listed| {
+        let gathered = listed.filter(|_| !self.pass.is_sparse());
+        let gathered = gathered.is_some_and(|listed| {
             let actors = &mut self.tracer.actors;
             let view = (self.viewport.number, camera);
             self.gathered
@@ -175,17 +169,30 @@ impl<W: Watch> Drawing<'_, '_, W> {
         (count, gathered): (usize, bool),
     ) {
         let [column, row] = place;
+        let rect = &self.viewport.rect;
+        let in_frame = [rect.left + column, rect.top + row];
+        if !self.pass.takes(in_frame) {
+            return;
+        }
+        if let Some((index, depth)) = self.pass.known(in_frame) {
+            if depth != 0 {
+                put(target, place, index, Some(depth));
+            }
+            return;
+        }
         let (x, y) = (column - tile.left, row - tile.top);
         let pixel = usize::from(y) * coverage::TILE + usize::from(x);
         let pixel = gathered.then_some(pixel);
         if let Some((shown, depth)) = self.cast(camera, place, 0, count, pixel) {
-            self.show(target, place, &shown, depth);
+            let index = self.show(target, place, &shown, depth);
+            self.pass.keep(in_frame, index, depth);
         }
     }
 
     /// What a pixel's ray shows, and its depth; `pixel` is its place among those that
     /// were gathered, if they were.
-    fn cast(
+    #[inline(never)]
+    pub(super) fn cast(
         &mut self,
         camera: &RayCamera,
         [column, row]: [u16; 2],
@@ -211,20 +218,20 @@ impl<W: Watch> Drawing<'_, '_, W> {
         };
         let view = (self.viewport.number, camera);
         let only = pixel.map(|pixel| self.gathered.at(pixel));
-        let shown = if count <= self.listed.len() {
-            let listed = self.listed.get(..count).unwrap_or_default();
-            self.tracer
-                .camera(&cast.ray, view, listed.iter().copied(), only, seed)
-        } else {
-            let all = 0..self.tracer.actors.count();
-            self.tracer.camera(&cast.ray, view, all, None, seed)
-        }?;
+        let listed = self.listed.get(..count);
+        let shown = self.tracer.camera(&cast.ray, view, listed, only, seed)?;
         let depth = camera.depth(&cast, shown.distance);
         Some((shown, depth))
     }
 
-    /// Draws a pixel.
-    fn show(&mut self, target: &mut Target<'_>, place: [u16; 2], shown: &Shown, depth: u16) {
+    /// Draws a pixel; gives its index.
+    pub(super) fn show(
+        &mut self,
+        target: &mut Target<'_>,
+        place: [u16; 2],
+        shown: &Shown,
+        depth: u16,
+    ) -> u8 {
         let scene = self.tracer.scene;
         let (lookup, lit) = match shown.light {
             Light::Own(material, lit, base) => {
@@ -251,130 +258,9 @@ impl<W: Watch> Drawing<'_, '_, W> {
                 index: dithered(&pixel, Dither::NONE),
             },
         );
-        put(target, place, dithered(&pixel, self.dither), Some(depth));
-    }
-
-    /// A tile whose pixels that differ from a neighbour have several rays.
-    #[inline(never)]
-    fn smooth_tile(
-        &mut self,
-        camera: &RayCamera,
-        target: &mut Target<'_>,
-        tile: &Rect,
-        samples: u8,
-    ) {
-        let rect = self.viewport.rect;
-        let grown = Rect {
-            left: tile.left.saturating_sub(1),
-            top: tile.top.saturating_sub(1),
-            right: (tile.right + 1).min(rect.width()),
-            bottom: (tile.bottom + 1).min(rect.height()),
-        };
-        let count = self.list(camera, &grown);
-        if count == 0 {
-            return;
-        }
-        let nothing = Looks {
-            colour: [0; 3],
-            actor: NOTHING,
-        };
-        let mut looks = [[nothing; GROWN]; GROWN];
-        for (row, looks) in (grown.top..grown.bottom).zip(&mut looks) {
-            let within = tile.top <= row && row < tile.bottom;
-            for (column, looks) in (grown.left..grown.right).zip(looks) {
-                let place = [column, row];
-                let seen = self.cast(camera, place, 0, count, None);
-                *looks = self.looks(seen.as_ref().map(|(shown, _)| shown), row);
-                if let (Some((shown, depth)), true) = (seen, within)
-                    && tile.left <= column
-                    && column < tile.right
-                {
-                    self.show(target, place, &shown, depth);
-                }
-            }
-        }
-        for row in tile.top..tile.bottom {
-            for column in tile.left..tile.right {
-                let at = |column: u16, row: u16| {
-                    let inside = (grown.left..grown.right).contains(&column)
-                        && (grown.top..grown.bottom).contains(&row);
-                    let looks = looks.get(usize::from(row.wrapping_sub(grown.top)));
-                    let looks = looks?.get(usize::from(column.wrapping_sub(grown.left)));
-                    looks.filter(|_| inside)
-                };
-                let Some(own) = at(column, row) else { continue };
-                let around = [
-                    at(column.wrapping_sub(1), row),
-                    at(column + 1, row),
-                    at(column, row.wrapping_sub(1)),
-                    at(column, row + 1),
-                ];
-                let threshold = self.tracer.settings.threshold;
-                let mut around = around.into_iter().flatten();
-                if around.any(|other| differ(own, other, threshold)) {
-                    self.smooth(camera, target, [column, row], own.colour, samples, count);
-                }
-            }
-        }
-    }
-
-    /// Draws a pixel of which one ray shows `first`, by several rays.
-    fn smooth(
-        &mut self,
-        camera: &RayCamera,
-        target: &mut Target<'_>,
-        place: [u16; 2],
-        first: Lit,
-        samples: u8,
-        count: usize,
-    ) {
-        let [column, row] = place;
-        let mut sums = first.map(u32::from);
-        for number in 1..u32::from(samples) {
-            let seen = self.cast(camera, place, number, count, None);
-            let looks = self.looks(seen.as_ref().map(|(shown, _)| shown), row);
-            for (sum, c) in sums.iter_mut().zip(looks.colour) {
-                *sum += u32::from(c);
-            }
-        }
-        let all = u32::from(samples);
-        let mean = |sum: u32| (sum + all / 2).checked_div(all).unwrap_or(0) as u16;
-        let pixel = Pixel {
-            lookup: Lookup::Colours(self.tracer.scene.colours()),
-            lit: sums.map(mean),
-            place: place.map(i32::from),
-            texel: [0; 2],
-        };
-        self.watch.smoothed(
-            self.viewport.rect.left + column,
-            self.viewport.rect.top + row,
-            pixel.lit,
-            dithered(&pixel, Dither::NONE),
-        );
-        put(target, place, dithered(&pixel, self.dither), None);
-    }
-
-    /// What a ray shows as a colour.
-    fn looks(&self, shown: Option<&Shown>, row: u16) -> Looks {
-        let Some(shown) = shown else {
-            let height = self.viewport.rect.height();
-            let index = self.tracer.background.at(row, height);
-            return Looks {
-                colour: self.tracer.entry(index),
-                actor: NOTHING,
-            };
-        };
-        let colour = match shown.light {
-            Light::Own(material, lit, base) => {
-                let material = self.tracer.scene.material(material);
-                self.tracer.rgb(&material, lit, base)
-            }
-            Light::Mixed(lit) => lit,
-        };
-        Looks {
-            colour,
-            actor: shown.actor,
-        }
+        let index = dithered(&pixel, self.dither);
+        put(target, place, index, Some(depth));
+        index
     }
 }
 
@@ -394,12 +280,7 @@ fn parts(tile: &Rect, size: u16) -> impl Iterator<Item = Rect> + use<> {
     all.filter(|part| part.left < part.right && part.top < part.bottom)
 }
 
-fn differ(a: &Looks, b: &Looks, threshold: u16) -> bool {
-    let mut channels = a.colour.iter().zip(b.colour);
-    a.actor != b.actor || channels.any(|(a, b)| a.abs_diff(b) > threshold)
-}
-
-fn put(target: &mut Target<'_>, [column, row]: [u16; 2], index: u8, depth: Option<u16>) {
+pub(super) fn put(target: &mut Target<'_>, [column, row]: [u16; 2], index: u8, depth: Option<u16>) {
     let line = usize::from(row.saturating_sub(target.top)) * usize::from(target.stride);
     let at = line + usize::from(column);
     if let Some(slot) = target.indices.get_mut(at) {

@@ -1,29 +1,24 @@
-//! From a ray to a colour, by an explicit stack of the rays that go on from it
-//! (Whitted, "An improved illumination model for shaded display", 1980).
+//! From a ray to a colour.
 
 use super::actors::RayActors;
 use super::bounce::Facing;
 use super::camera::RayCamera;
+use super::follow::WaitingRays;
 use super::gather::Candidates;
 use super::light::{Lit as LitPoint, RayLights, Seed, shine, shorten};
 use super::nearest::Met;
-use super::ray::{FAR, Ray, moved};
+use super::ray::Ray;
 use super::surface::Need;
 use super::windows::Windows;
 use crate::light::{Lit, Parts, sum};
-use crate::math::{Unit3, dot};
 use crate::palette::Palette;
 use crate::scene::NO_TEXEL;
 use crate::scene::layout::BASES;
 use crate::scene::{Gradient, Material, Optics, RaySettings, Scene, Shading};
 use crate::shade::{Lookup, Sampler, on_texel};
 
-/// Rays that wait: every one of a chain of 8 leaves one behind, and the last two.
-const WAITING: usize = 10;
 /// 1 as weights have it.
-const ONE: u32 = 1 << 16;
-/// Rays of less weight show nothing: an eighth of a level.
-const LEAST: u32 = 1 << 5;
+pub(super) const ONE: u32 = 1 << 16;
 
 /// What a ray from the camera shows.
 #[derive(Clone, Copy, Debug)]
@@ -53,63 +48,46 @@ pub(super) struct Tracer<'a> {
     pub actors: RayActors<'a>,
     pub lights: &'a RayLights,
     pub windows: &'a mut Windows,
+    pub waiting: &'a mut WaitingRays,
     pub settings: RaySettings,
     pub palette: Palette<'a>,
     pub background: Gradient<'a>,
 }
 
-/// A ray that waits for its turn.
-#[derive(Clone, Copy)]
-struct Waiting {
-    ray: Ray,
-    weight: u32,
-    /// Rays that may still follow one after the other, itself counted.
-    left: u8,
-}
-
 /// A surface by itself.
-struct Local {
+pub(super) struct Local {
+    /// The material's number.
+    number: u16,
     material: Material,
     /// Where its colour goes through a texture by level: the base colour.
     base: Option<u8>,
     lit: Lit,
     lights: u8,
-    /// If light goes on from it: the sides that face the ray.
-    facing: Option<(Facing, [i32; 3], bool)>,
+    /// If light goes on from it: the sides that face the ray, the place, and whether it is
+    /// seen from behind.
+    pub facing: Option<(Facing, [i32; 3], bool)>,
 }
 
 impl Tracer<'_> {
     /// What a ray from a viewport's camera shows; `None`: the background. Only `listed`
-    /// actors are looked at, and of their triangles `only` some.
+    /// actors are looked at, if they are listed, and of their triangles `only` some.
     pub(super) fn camera(
         &mut self,
         ray: &Ray,
-        (viewport, camera): (u16, &RayCamera),
-        listed: impl Iterator<Item = u16>,
+        view: (u16, &RayCamera),
+        listed: Option<&[u16]>,
         only: Option<Candidates<'_>>,
         seed: Seed,
     ) -> Option<Shown> {
-        let mut best: Option<(u16, Met)> = None;
-        let mut far = ray.far;
-        for number in listed {
-            let seen = self.actors.seen(number, viewport, camera, ray.origin);
-            let Some((which, from)) = seen else { break };
-            if let Some(met) = which.meet(self.scene, ray, from, far, only) {
-                far = met.distance;
-                best = Some((number, met));
-            }
-        }
-        let (actor, met) = best?;
-        let optics = self.actors.get(actor)?.optics;
-        let triangle = self.actors.get(actor)?.triangle(self.scene, &met);
+        let (actor, met) = self.seen(ray, view, listed, only)?;
+        let which = self.actors.get(actor)?;
+        let optics = which.optics;
+        let triangle = which.triangle(self.scene, &met);
         let local = self.local(ray, actor, &met, seed)?;
         let light = if optics.reflectivity == 0 && optics.opacity >= ONE {
-            let material = self.actors.get(actor)?.material;
-            Light::Own(material, local.lit, local.base)
+            Light::Own(local.number, local.lit, local.base)
         } else {
-            let mut sums = [0; 3];
-            self.go_on(ray, actor, &local, &optics, &met, seed, &mut sums);
-            Light::Mixed(sums.map(|c| ((c + (1 << 15)) >> 16).min(255 << 6) as u16))
+            Light::Mixed(self.go_on(ray, actor, &local, &met, seed))
         };
         Some(Shown {
             actor,
@@ -120,8 +98,35 @@ impl Tracer<'_> {
         })
     }
 
+    /// The nearest that a ray from a viewport's camera meets.
+    #[inline(never)]
+    fn seen(
+        &mut self,
+        ray: &Ray,
+        (viewport, camera): (u16, &RayCamera),
+        listed: Option<&[u16]>,
+        only: Option<Candidates<'_>>,
+    ) -> Option<(u16, Met)> {
+        let mut best: Option<(u16, Met)> = None;
+        let mut far = ray.far;
+        for which in 0..listed.map_or(self.actors.count(), |listed| listed.len() as u16) {
+            let number = match listed {
+                Some(listed) => *listed.get(usize::from(which))?,
+                None => which,
+            };
+            let seen = self.actors.seen(number, viewport, camera, ray.origin);
+            let Some((actor, from)) = seen else { break };
+            if let Some(met) = actor.meet(self.scene, ray, from, far, only) {
+                far = met.distance;
+                best = Some((number, met));
+            }
+        }
+        best
+    }
+
     /// The nearest of all actors.
-    fn nearest(&mut self, ray: &Ray) -> Option<(u16, Met)> {
+    #[inline(never)]
+    pub(super) fn nearest(&mut self, ray: &Ray) -> Option<(u16, Met)> {
         let mut best: Option<(u16, Met)> = None;
         let mut far = ray.far;
         let mut candidates = self.actors.candidates(ray);
@@ -143,9 +148,10 @@ impl Tracer<'_> {
     }
 
     #[inline(never)]
-    fn local(&mut self, ray: &Ray, number: u16, met: &Met, seed: Seed) -> Option<Local> {
+    pub(super) fn local(&mut self, ray: &Ray, number: u16, met: &Met, seed: Seed) -> Option<Local> {
         let actor = self.actors.get(number)?;
-        let material = self.scene.material(actor.material);
+        let number_of_material = actor.material;
+        let material = self.scene.material(number_of_material);
         let goes_on = actor.optics != Optics::PLAIN;
         let need = Need {
             face: self.settings.shadows || goes_on,
@@ -174,6 +180,7 @@ impl Tracer<'_> {
             (facing, surface.place, surface.back)
         });
         Some(Local {
+            number: number_of_material,
             material,
             base,
             lit,
@@ -183,6 +190,7 @@ impl Tracer<'_> {
     }
 
     /// Light on the material's texture; of one that goes by level its base colour.
+    #[inline(never)]
     fn textured(
         &self,
         material: &Material,
@@ -209,138 +217,8 @@ impl Tracer<'_> {
         }
     }
 
-    /// Adds the colour of a surface and of all rays that go on from it.
-    #[expect(clippy::too_many_arguments, reason = "one call")]
-    fn go_on(
-        &mut self,
-        ray: &Ray,
-        actor: u16,
-        local: &Local,
-        optics: &Optics,
-        met: &Met,
-        seed: Seed,
-        sums: &mut [u32; 3],
-    ) {
-        let mut waiting = [None::<Waiting>; WAITING];
-        let mut count = 0;
-        let first = Waiting {
-            ray: *ray,
-            weight: ONE,
-            left: self.settings.depth,
-        };
-        self.add(
-            &first,
-            actor,
-            local,
-            optics,
-            met,
-            &mut waiting,
-            &mut count,
-            sums,
-        );
-        while let Some(next) = count.checked_sub(1) {
-            count = next;
-            let Some(now) = waiting.get(next).copied().flatten() else {
-                continue;
-            };
-            if now.left == 0 {
-                self.add_background(now.ray.direction, now.weight, sums);
-                continue;
-            }
-            let Some((actor, met)) = self.nearest(&now.ray) else {
-                self.add_background(now.ray.direction, now.weight, sums);
-                continue;
-            };
-            let optics = self.actors.get(actor).map_or(Optics::PLAIN, |a| a.optics);
-            if let Some(local) = self.local(&now.ray, actor, &met, seed) {
-                self.add(
-                    &now,
-                    actor,
-                    &local,
-                    &optics,
-                    &met,
-                    &mut waiting,
-                    &mut count,
-                    sums,
-                );
-            }
-        }
-    }
-
-    #[expect(clippy::too_many_arguments, reason = "two calls")]
-    fn add(
-        &mut self,
-        now: &Waiting,
-        actor: u16,
-        local: &Local,
-        optics: &Optics,
-        met: &Met,
-        waiting: &mut [Option<Waiting>; WAITING],
-        count: &mut usize,
-        sums: &mut [u32; 3],
-    ) {
-        let part = |weight: u32, of: u32| (weight * (of >> 1)) >> 15;
-        let mut mirror = part(now.weight, optics.reflectivity);
-        let rest = now.weight - mirror.min(now.weight);
-        let own = part(rest, optics.opacity);
-        let mut through = rest - own.min(rest);
-        add(sums, self.colour(local), own);
-        let Some((facing, place, back)) = local.facing else {
-            return;
-        };
-        let Some(which) = self.actors.get(actor) else {
-            return;
-        };
-        let (lift, ball) = (which.lift(met.distance), which.is_exact());
-        let mut push = |direction: Unit3, weight: u32, out: bool| {
-            if weight < LEAST {
-                return;
-            }
-            let outward = facing.outward();
-            let ray = Ray {
-                origin: moved(place, outward, if out { lift } else { -lift }),
-                direction,
-                near: 0,
-                far: FAR,
-                on: if ball { actor + 1 } else { 0 },
-            };
-            if let Some(slot) = waiting.get_mut(*count) {
-                *slot = Some(Waiting {
-                    ray,
-                    weight,
-                    left: now.left - 1,
-                });
-                *count += 1;
-            }
-        };
-        if through > 0 {
-            if optics.index == ONE {
-                push(now.ray.direction, through, false);
-            } else {
-                // Q28 of the index on this side over that beyond.
-                let ratio = if back {
-                    (optics.index << 12) as i32
-                } else {
-                    inverse(optics.index)
-                };
-                match facing.refracted(now.ray.direction, ratio) {
-                    Some((way, mirrored)) => {
-                        let mirrored = part(through, mirrored.min(ONE));
-                        through -= mirrored.min(through);
-                        mirror += mirrored;
-                        push(way, through, false);
-                    }
-                    None => mirror += through,
-                }
-            }
-        }
-        if mirror > 0 {
-            push(facing.mirrored(now.ray.direction), mirror, true);
-        }
-    }
-
     /// The colour of a surface by itself.
-    fn colour(&self, local: &Local) -> Lit {
+    pub(super) fn colour(&self, local: &Local) -> Lit {
         self.rgb(&local.material, local.lit, local.base)
     }
 
@@ -363,20 +241,6 @@ impl Tracer<'_> {
     pub(super) fn entry(&self, index: u8) -> Lit {
         self.palette.rgb888(index).map(|c| u16::from(c) << 6)
     }
-
-    /// What a ray shows that meets nothing.
-    fn add_background(&self, direction: Unit3, weight: u32, sums: &mut [u32; 3]) {
-        let up = dot(direction, self.settings.up).clamp(-(1 << 30), 1 << 30);
-        // From top to bottom.
-        let down = (1u32 << 30).wrapping_sub(up as u32) >> 15;
-        // Its ends are entries as they are, what is between them need not be.
-        let [top, bottom] = self.background.ends().map(|index| self.entry(index));
-        let mut colour = top;
-        for (c, bottom) in colour.iter_mut().zip(bottom) {
-            *c = (((0x1_0000 - down) * u32::from(*c) + down * u32::from(bottom)) >> 16) as u16;
-        }
-        add(sums, colour, weight);
-    }
 }
 
 /// A material's way to an index.
@@ -386,18 +250,4 @@ pub(super) fn lookup<'a>(scene: &Scene<'a>, material: &Material, base: Option<u8
         Some(base) => Lookup::Texel(scene.texture_shades(material), base),
         None => Lookup::Levels(scene.shade(material)),
     }
-}
-
-fn add(sums: &mut [u32; 3], colour: Lit, weight: u32) {
-    for (sum, c) in sums.iter_mut().zip(colour) {
-        // 14 bits and 17; weights are 1 in all.
-        *sum = sum.saturating_add(u32::from(c) * weight);
-    }
-}
-
-/// Q28 of one over a refractive index.
-fn inverse(index: u32) -> i32 {
-    let recip = crate::math::reciprocal(index);
-    // 62 - shift fractional bits, 16 of the index.
-    recip.mantissa >> (18 - recip.shift.min(18))
 }

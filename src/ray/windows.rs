@@ -9,6 +9,7 @@ use super::hierarchy::Hierarchy;
 use super::triangle::Faces;
 use crate::math::mul_high;
 use crate::scene::Leaf;
+use crate::scene::layout::RAY_STACK;
 
 /// Windows that are kept.
 const WINDOWS: usize = 2;
@@ -64,6 +65,8 @@ struct Window {
 #[derive(Debug)]
 pub(super) struct Windows {
     all: [Window; WINDOWS],
+    /// Boxes that are left for later while one is filled.
+    left: [u32; RAY_STACK],
     /// The one that is given up next.
     oldest: usize,
     /// Rays that went by themselves since the last window: whose, how many, and what holds
@@ -108,9 +111,10 @@ impl Start {
 }
 
 impl Windows {
+    /// All zero: [`Windows::clear`] says that nothing is there.
     pub(super) const EMPTY: Self = Self {
         all: [Window {
-            key: NONE,
+            key: (0, 0),
             full: false,
             middle: [0; 2],
             half: [0; 2],
@@ -122,8 +126,9 @@ impl Windows {
             }; MOST],
             bits: [0; TILE * TILE],
         }; WINDOWS],
+        left: [0; RAY_STACK],
         oldest: 0,
-        key: NONE,
+        key: (0, 0),
         count: 0,
         place: Place {
             low: [0; 2],
@@ -131,7 +136,7 @@ impl Windows {
             nearest: 0,
         },
         pause: 0,
-        next_pause: 1,
+        next_pause: 0,
     };
 
     /// Forgets all: actors moved.
@@ -172,7 +177,7 @@ impl Windows {
             return tree.any(ray, range);
         };
         self.oldest = (self.oldest + 1) % WINDOWS;
-        window.fill(tree, key, ray, self.place);
+        window.fill(tree, (key, self.place), ray, &mut self.left);
         if window.full {
             self.pause = self.next_pause;
             self.next_pause = (2 * self.next_pause).min(MOST_PAUSE);
@@ -222,7 +227,13 @@ impl Window {
     /// Gathers the triangles in the way of all rays that go where `ray` does and start
     /// where the window is to be.
     #[inline(never)]
-    fn fill(&mut self, tree: &Hierarchy<'_>, key: Key, ray: &GridRay, place: Place) {
+    fn fill(
+        &mut self,
+        tree: &Hierarchy<'_>,
+        (key, place): (Key, Place),
+        ray: &GridRay,
+        left: &mut [u32; RAY_STACK],
+    ) {
         self.key = key;
         self.bits.fill(0);
         let Place { low, high, nearest } = place;
@@ -258,7 +269,7 @@ impl Window {
         let size = [TILE as u16; 2];
         let mut count = 0;
         let before = self.nearest - 4;
-        let all = tree.walk_window(&through, thick, before, |leaf: Leaf| {
+        let all = tree.walk_window(&through, thick, before, left, |leaf: Leaf| {
             for (triangle, corners) in tree.corners(leaf, &through.from) {
                 let corners = corners.map(|corner| {
                     through.sheared(through.axes.map(|axis| component(&corner, axis)))

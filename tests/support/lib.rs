@@ -1,5 +1,7 @@
 //! What the tests share: scenes of the repository, and small ones made in code.
 
+pub mod made;
+
 use std::path::{Path, PathBuf};
 
 use fixel_bake::{BakeError, Baked};

@@ -3,10 +3,8 @@
 //! accuracy` holds every scene of the repository to the same limits.
 
 use fixel_reference::Report;
-use fixel_scene::{
-    Actor, Attenuation, Background, ColourFormat, Cull, Light, LightKind, Material, Mesh,
-    Primitive, Projection, Scene, Shading,
-};
+use fixel_scene::{Background, Cull, LightKind, Material, Projection, Scene};
+use fixel_tests::made::{Random, add, ball, cube, empty, far_light, lamp, mesh, rectangle};
 use fixel_tests::root;
 
 fn compare(scene: &Scene) -> Report {
@@ -57,124 +55,6 @@ fn hold(what: &str, scene: &Scene) -> Report {
     report
 }
 
-/// Some scene of the repository, for its display and all else that is not said here.
-fn empty() -> Scene {
-    let path = root().join("scenes/ray/bunny_shadow.toml");
-    let mut scene = fixel_scene::load(&path).unwrap_or_else(|e| panic!("{e}"));
-    scene.actors.clear();
-    scene.meshes.clear();
-    scene.materials.clear();
-    scene.animation = Default::default();
-    scene.ray = Default::default();
-    scene.display.colour = ColourFormat::Rgb888;
-    (scene.display.width, scene.display.height) = (160, 120);
-    scene
-}
-
-/// A ball or a rectangle of a scene of the repository, in another size.
-fn primitive(wanted: Primitive) -> Mesh {
-    let path = root().join("scenes/ray/ellipsoids.toml");
-    let scene = fixel_scene::load(&path).unwrap_or_else(|e| panic!("{e}"));
-    let factors = |mesh: &Mesh| match (mesh.primitive?, wanted) {
-        (Primitive::Sphere { radius: own }, Primitive::Sphere { radius }) => {
-            Some([radius / own; 3])
-        }
-        (Primitive::Rectangle { width: w, depth: d }, Primitive::Rectangle { width, depth }) => {
-            Some([width / w, 1.0, depth / d])
-        }
-        _ => None,
-    };
-    let mut found = scene
-        .meshes
-        .iter()
-        .filter_map(|mesh| Some((mesh, factors(mesh)?)));
-    let (mesh, factors) = found.next().expect("it has both");
-    let place = |p: &[f64; 3]| std::array::from_fn(|i| p[i] * factors[i]);
-    Mesh {
-        name: format!("{wanted:?}"),
-        positions: mesh.positions.iter().map(place).collect(),
-        primitive: Some(wanted),
-        ..mesh.clone()
-    }
-}
-
-fn ball(radius: f64) -> Mesh {
-    primitive(Primitive::Sphere { radius })
-}
-
-fn rectangle(width: f64, depth: f64) -> Mesh {
-    primitive(Primitive::Rectangle { width, depth })
-}
-
-/// A box from -1/2 to 1/2.
-fn cube() -> Mesh {
-    let path = root().join("scenes/meshes/cube.obj");
-    fixel_scene::load_mesh(&path).unwrap_or_else(|e| panic!("{e}"))
-}
-
-fn add(scene: &mut Scene, mesh: Mesh, position: [f64; 3]) -> &mut Actor {
-    let known = scene.meshes.iter().position(|m| *m == mesh);
-    let mesh = known.unwrap_or_else(|| {
-        scene.meshes.push(mesh);
-        scene.meshes.len() - 1
-    });
-    let index = scene.actors.len();
-    if scene.materials.is_empty() {
-        scene.materials.push(Material {
-            ambient: 0.1,
-            shading: Shading::Phong,
-            ..Material::default()
-        });
-    }
-    scene.actors.push(Actor {
-        name: format!("actor {index}"),
-        mesh,
-        position,
-        ..Actor::default()
-    });
-    scene.actors.last_mut().expect("one was added")
-}
-
-fn far_light(direction: [f64; 3]) -> Light {
-    Light {
-        kind: LightKind::Directional { direction },
-        colour: [1.0; 3],
-        intensity: 0.8,
-        edges: None,
-    }
-}
-
-fn lamp(position: [f64; 3]) -> Light {
-    const EVEN: Attenuation = [1.0, 0.0, 0.0];
-    Light {
-        kind: LightKind::Point {
-            position,
-            attenuation: EVEN,
-        },
-        ..far_light([0.0, 0.0, 1.0])
-    }
-}
-
-/// Xorshift; numbers from 0 to 1.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-
-    fn place(&mut self, low: f64, high: f64) -> [f64; 3] {
-        [0; 3].map(|_| self.between(low, high))
-    }
-}
-
 /// Balls and ellipsoids, some within each other, over a ground, in three kinds of light.
 fn balls(seed: u64) -> Scene {
     let mut scene = empty();
@@ -215,9 +95,7 @@ fn tiny_and_huge_worlds() {
     for factor in [1e-3, 0.037, 21.0, 1e4] {
         for aside in [0.0, 3e4] {
             let mut scene = balls(7);
-            let bunny = root().join("scenes/meshes/bunny.obj");
-            let mesh = fixel_scene::load_mesh(&bunny).unwrap_or_else(|e| panic!("{e}"));
-            add(&mut scene, mesh, [1.0, -2.5, 4.0]).scale = [0.35; 3];
+            add(&mut scene, mesh("bunny"), [1.0, -2.5, 4.0]).scale = [0.35; 3];
             let moved = |p: [f64; 3]| p.map(|c| (c + aside) * factor);
             for actor in &mut scene.actors {
                 actor.position = moved(actor.position);
@@ -245,9 +123,7 @@ fn light_along_a_surface() {
         let mut scene = empty();
         add(&mut scene, rectangle(60.0, 60.0), [0.0, 0.0, 0.0]);
         add(&mut scene, ball(2.0), [3.5, 2.0, 0.0]);
-        let bunny = root().join("scenes/meshes/bunny.obj");
-        let mesh = fixel_scene::load_mesh(&bunny).unwrap_or_else(|e| panic!("{e}"));
-        add(&mut scene, mesh, [-3.0, 0.0, 0.0]).scale = [0.4; 3];
+        add(&mut scene, mesh("bunny"), [-3.0, 0.0, 0.0]).scale = [0.4; 3];
         scene.camera.position = [2.0, 6.0, 14.0];
         scene.camera.focal_point = [0.0, 1.0, 0.0];
         let (sin, cos) = degrees.to_radians().sin_cos();

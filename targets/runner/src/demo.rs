@@ -7,7 +7,13 @@ use fixel::palette::Rgb565Table;
 use crate::engine::{self, Buffers, EngineError, Scratch};
 
 /// Rows in a band.
-pub const BAND_ROWS: usize = if cfg!(feature = "small") { 8 } else { 16 };
+pub const BAND_ROWS: usize = if cfg!(feature = "rays-alone") {
+    4
+} else if cfg!(feature = "small") {
+    8
+} else {
+    16
+};
 /// The widest picture.
 pub const WIDTH: usize = if cfg!(feature = "small") { 128 } else { 320 };
 const PIXELS: usize = WIDTH * BAND_ROWS;
@@ -19,8 +25,6 @@ pub struct Memory {
     depth: [u16; PIXELS],
     row: [u16; WIDTH],
     scratch: Scratch,
-    #[cfg(feature = "ray")]
-    rays: engine::RayScratch,
     colours: Rgb565Table,
 }
 
@@ -33,8 +37,6 @@ impl Memory {
             depth: [0; PIXELS],
             row: [0; WIDTH],
             scratch: Scratch::new(),
-            #[cfg(feature = "ray")]
-            rays: engine::RayScratch::new(),
             colours: Rgb565Table::new(),
         }
     }
@@ -68,8 +70,6 @@ fn show(
         index: &mut memory.index,
         depth: &mut memory.depth,
         work: memory.scratch.workspace(),
-        #[cfg(feature = "ray")]
-        rays: memory.rays.workspace(),
         colours: &mut memory.colours,
     };
     engine::render(scene, frame, BAND_ROWS, buffers, |band, colours| {

@@ -5,7 +5,6 @@ use core::convert::Infallible;
 
 use fixel::frame::BandRows;
 use fixel::palette::{Palette, Rgb565Table};
-use fixel::render::Workspace;
 use fixel::{Band, Display, Scene, SceneError};
 
 /// Why a frame could not be rendered.
@@ -17,6 +16,8 @@ pub enum EngineError {
     Memory,
     /// The frame's pixels are samples, and the program shows only whole pixels.
     Samples,
+    /// The scene is not baked for rays, and the program has nothing else.
+    Triangles,
 }
 
 impl EngineError {
@@ -26,6 +27,7 @@ impl EngineError {
             Self::Scene(_) => "the blob is not a scene",
             Self::Memory => "a row does not fit the memory given",
             Self::Samples => "the scene is anti-aliased or an anaglyph",
+            Self::Triangles => "the scene is not baked for rays",
         }
     }
 }
@@ -45,14 +47,56 @@ pub const SLOTS: usize = if cfg!(feature = "small") {
 };
 /// Actors whose matrices are kept.
 pub const ACTORS: usize = if cfg!(feature = "small") { 1 } else { 4 };
-/// The renderer's working memory of that size.
-pub type Scratch = fixel::Scratch<MESHLETS, SLOTS, ACTORS>;
-
 /// Actors whose places the ray caster keeps.
 pub const RAY_ACTORS: usize = 16;
-/// The ray caster's working memory of that size.
-#[cfg(feature = "ray")]
-pub type RayScratch = fixel::ray::RayScratch<RAY_ACTORS>;
+
+/// The renderers' working memory.
+#[derive(Debug)]
+pub struct Scratch<
+    const MESHLETS: usize = { self::MESHLETS },
+    const SLOTS: usize = { self::SLOTS },
+    const ACTORS: usize = { self::ACTORS },
+> {
+    #[cfg(not(feature = "rays-alone"))]
+    triangles: fixel::Scratch<MESHLETS, SLOTS, ACTORS>,
+    #[cfg(feature = "ray")]
+    rays: fixel::ray::RayScratch<RAY_ACTORS>,
+}
+
+impl<const MESHLETS: usize, const SLOTS: usize, const ACTORS: usize>
+    Scratch<MESHLETS, SLOTS, ACTORS>
+{
+    /// Ready for the first frame.
+    #[allow(clippy::new_without_default)]
+    pub const fn new() -> Self {
+        Self {
+            #[cfg(not(feature = "rays-alone"))]
+            triangles: fixel::Scratch::new(),
+            #[cfg(feature = "ray")]
+            rays: fixel::ray::RayScratch::new(),
+        }
+    }
+
+    /// The memory without its size.
+    pub fn workspace(&mut self) -> Workspace<'_> {
+        Workspace {
+            #[cfg(not(feature = "rays-alone"))]
+            triangles: self.triangles.workspace(),
+            #[cfg(feature = "ray")]
+            rays: self.rays.workspace(),
+        }
+    }
+}
+
+/// The renderers' working memory, of any size.
+#[derive(Debug)]
+pub struct Workspace<'a> {
+    #[cfg(not(feature = "rays-alone"))]
+    triangles: fixel::render::Workspace<'a>,
+    /// For blobs that are baked for rays.
+    #[cfg(feature = "ray")]
+    rays: fixel::ray::RayWorkspace<'a>,
+}
 
 /// Where bands are drawn.
 #[derive(Debug)]
@@ -61,11 +105,8 @@ pub struct Buffers<'a> {
     pub index: &'a mut [u8],
     /// Depths of a band.
     pub depth: &'a mut [u16],
-    /// The renderer's working memory.
+    /// The renderers' working memory.
     pub work: Workspace<'a>,
-    /// The ray caster's, for blobs that are baked for it.
-    #[cfg(feature = "ray")]
-    pub rays: fixel::ray::RayWorkspace<'a>,
     /// From an index to a panel's colour.
     pub colours: &'a mut Rgb565Table,
 }
@@ -119,10 +160,16 @@ pub fn render(
     let pose = scene.pose(frame);
     #[cfg(feature = "ray")]
     if scene.has_rays() {
-        let rays = &mut buffers.rays;
+        let rays = &mut buffers.work.rays;
         let Ok(_) = fixel::ray::render_frame(scene, &pose, rays, &mut band, &mut sink);
         return Ok(());
     }
-    let Ok(_) = fixel::render_frame(scene, &pose, &mut buffers.work, &mut band, &mut sink);
-    Ok(())
+    #[cfg(feature = "rays-alone")]
+    return Err(EngineError::Triangles);
+    #[cfg(not(feature = "rays-alone"))]
+    {
+        let work = &mut buffers.work.triangles;
+        let Ok(_) = fixel::render_frame(scene, &pose, work, &mut band, &mut sink);
+        Ok(())
+    }
 }

@@ -9,10 +9,10 @@ use core::convert::Infallible;
 use fixel::display::{Resolve, Rgb565Rows};
 use fixel::frame::BandRows;
 use fixel::palette::Rgb565Table;
-use fixel::{Display, Scratch};
+use fixel::Display;
 
 use crate::demo::WIDTH;
-use crate::engine::{self, Buffers, EngineError};
+use crate::engine::{self, Buffers, EngineError, Scratch};
 use crate::hash::Fnv64;
 use crate::line::Line;
 
@@ -57,8 +57,6 @@ pub struct Memory<
     sums: [u32; WIDTH],
     row: [u16; WIDTH],
     scratch: Scratch<MESHLETS, SLOTS, ACTORS>,
-    #[cfg(feature = "ray")]
-    rays: engine::RayScratch,
     colours: Rgb565Table,
 }
 
@@ -75,8 +73,6 @@ impl<const PIXELS: usize, const MESHLETS: usize, const SLOTS: usize, const ACTOR
             sums: [0; WIDTH],
             row: [0; WIDTH],
             scratch: Scratch::new(),
-            #[cfg(feature = "ray")]
-            rays: engine::RayScratch::new(),
             colours: Rgb565Table::new(),
         }
     }
@@ -213,8 +209,6 @@ pub fn measure<
             index: &mut memory.index,
             depth: &mut memory.depth,
             work: memory.scratch.workspace(),
-            #[cfg(feature = "ray")]
-            rays: memory.rays.workspace(),
             colours: &mut memory.colours,
         };
         watch.start(platform);

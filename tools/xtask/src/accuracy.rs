@@ -146,12 +146,7 @@ fn report(scene: &Scene, renderer: Renderer) -> Result<Report> {
 }
 
 /// Scenes that the ray caster cannot draw within the limits, and why.
-const RAY_KNOWN: [(&str, &str); 5] = [
-    ("alpha_test", "the ray caster does not cut out by alpha yet"),
-    (
-        "textured_bilinear",
-        "the ray caster does not cut out by alpha yet",
-    ),
+const RAY_KNOWN: [(&str, &str); 3] = [
     (
         "mono_bunny",
         "two pixels of 8,192: of triangles smaller than a pixel so many edges pass pixels' centres \

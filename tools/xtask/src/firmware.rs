@@ -48,6 +48,8 @@ pub enum Parts {
     Gouraud,
     /// Everything but rays.
     Triangles,
+    /// Rays alone, with everything that they show.
+    Rays,
     /// Everything.
     All,
 }
@@ -59,6 +61,7 @@ impl Parts {
             Self::Flat => "flat shading alone",
             Self::Gouraud => "flat and Gouraud",
             Self::Triangles => "everything but rays",
+            Self::Rays => "rays alone",
             Self::All => "everything",
         }
     }
@@ -68,6 +71,7 @@ impl Parts {
             Self::Flat => "demo",
             Self::Gouraud => "demo,gouraud",
             Self::Triangles => "demo,triangles",
+            Self::Rays => "demo,rays-alone",
             Self::All => "demo,whole",
         }
     }

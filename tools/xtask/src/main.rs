@@ -27,6 +27,7 @@ mod problem;
 mod qemu;
 mod readme;
 mod report;
+mod scaling;
 mod scene;
 mod test;
 mod toolchain;
@@ -85,6 +86,8 @@ enum Task {
         #[arg(long, conflicts_with = "json")]
         markdown: bool,
     },
+    /// Instructions a ray against 1,000 to 100,000 triangles, held to a limit.
+    Scaling(Json),
     /// Code, RAM and stack of a minimal firmware on every board, held to
     /// limits.
     Footprint(Json),
@@ -164,6 +167,7 @@ fn run(task: Task) -> Result<()> {
             let show = if markdown { bench::markdown } else { pretty };
             figures(&json, |tally| bench::run(tally, &scenes), show)
         }
+        Task::Scaling(json) => figures(&json, scaling::run, scaling::markdown),
         Task::Footprint(json) => figures(&json, footprint::run, footprint::markdown),
         Task::Firmware(on) => {
             let elf = picture::build(on.board, &on.scene)?;
