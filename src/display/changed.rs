@@ -1,5 +1,7 @@
 //! Partial refresh: only what changed since the last frame goes over the bus.
 
+use core::num::{NonZeroU16, NonZeroU32, NonZeroUsize};
+
 use super::PackedRows;
 
 /// A panel of which parts can be written.
@@ -23,12 +25,12 @@ pub trait PartialRows {
 #[derive(Debug)]
 pub struct Changed<'a, R> {
     rows: R,
-    tile: usize,
+    tile: NonZeroUsize,
     /// Rows of a call: 8 for pages.
-    rows_a_call: u16,
+    rows_a_call: NonZeroU16,
     /// Tiles of a call.
     across: usize,
-    sums: &'a mut [Option<core::num::NonZeroU32>],
+    sums: &'a mut [Option<NonZeroU32>],
 }
 
 impl<'a, R: PartialRows> Changed<'a, R> {
@@ -41,15 +43,15 @@ impl<'a, R: PartialRows> Changed<'a, R> {
         row_bytes: usize,
         tile: usize,
         rows_a_call: u16,
-        sums: &'a mut [Option<core::num::NonZeroU32>],
+        sums: &'a mut [Option<NonZeroU32>],
     ) -> Self {
-        let tile = tile.max(1);
+        let tile = NonZeroUsize::new(tile).unwrap_or(NonZeroUsize::MIN);
         sums.fill(None);
         Self {
             rows,
             tile,
-            rows_a_call: rows_a_call.max(1),
-            across: row_bytes.div_ceil(tile),
+            rows_a_call: NonZeroU16::new(rows_a_call).unwrap_or(NonZeroU16::MIN),
+            across: row_bytes.div_ceil(tile.get()),
             sums,
         }
     }
@@ -71,11 +73,11 @@ impl<'a, R: PartialRows> Changed<'a, R> {
 }
 
 /// FNV-1a, never 0.
-fn sum(bytes: &[u8]) -> Option<core::num::NonZeroU32> {
+fn sum(bytes: &[u8]) -> Option<NonZeroU32> {
     let hash = bytes.iter().fold(0x811c_9dc5, |hash: u32, byte| {
         (hash ^ u32::from(*byte)).wrapping_mul(0x0100_0193)
     });
-    core::num::NonZeroU32::new(hash).or(core::num::NonZeroU32::new(1))
+    NonZeroU32::new(hash).or(NonZeroU32::new(1))
 }
 
 impl<R: PartialRows> PackedRows for Changed<'_, R> {
@@ -85,10 +87,10 @@ impl<R: PartialRows> PackedRows for Changed<'_, R> {
         let row = usize::from(y / self.rows_a_call) * self.across;
         // Bytes from here on are to be sent; all before it are done.
         let mut start = None;
-        let mut tiles = bytes.chunks(self.tile).enumerate();
+        let mut tiles = bytes.chunks(self.tile.get()).enumerate();
         loop {
             let next = tiles.next();
-            let at = next.map_or(bytes.len(), |(number, _)| number * self.tile);
+            let at = next.map_or(bytes.len(), |(number, _)| number * self.tile.get());
             let changed = next.is_some_and(|(number, tile)| {
                 let sum = sum(tile);
                 self.sums.get_mut(row + number).is_none_or(|kept| {

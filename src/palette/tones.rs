@@ -20,8 +20,9 @@ pub const fn tone(grey: u8, most: u8) -> Tone {
     let level = grey * most / 255;
     // In units of 1 / (255 most).
     let (here, next, value) = (255 * level, 255 * (level + 1), grey * most);
-    // At most 2^17 (most + 1): with 4 bits, 256 of them are below 2^29.
-    let step = next * next - here * here;
+    // At most 2^17 (most + 1): with 4 bits, 256 of them are below 2^29. It is 255^2 times an
+    // odd number, hence odd, and saying so takes the check for division by zero away.
+    let step = (next * next - here * here) | 1;
     let part = ((value * value - here * here) * 256 + step / 2) / step;
     (level * 256 + part) as Tone
 }

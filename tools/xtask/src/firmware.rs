@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::board::{Board, Machine};
+use crate::device::Device;
 use crate::problem::{Problem, Result};
 use crate::toolchain::{self, Route};
 use crate::{child, elf, paths, scene};
@@ -100,14 +101,8 @@ fn build_demo(board: &Board, scene: &scene::Baked, features: &str) -> Result<Dem
         ])
         .env("FIXEL_SCENE", &scene.path);
     child::visibly(&mut command)?;
-    let stem = scene.path.file_stem().unwrap_or_default().to_string_lossy();
-    let features = features.replace(',', "-");
-    let name = format!("{}-{stem}-{features}.elf", board.name);
-    let path = paths::work("firmware")?.join(name);
-    std::fs::copy(built(board, "demo"), &path)
-        .map_err(|error| format!("{}: {error}", path.display()))?;
-    let image = elf::Image::read(&path)?;
-    Ok(Demo { path, image })
+    let more = format!("-{}", features.replace(',', "-"));
+    kept(&built(board, "demo"), board.name, scene, &more)
 }
 
 /// Builds the host's measuring program.
@@ -143,16 +138,9 @@ pub fn host_program(
     Ok(target_folder.join(profile).join(name))
 }
 
-/// Clippy over a board's crate. Debian's compiler comes without clippy.
+/// Clippy over a board's crate.
 pub fn clippy(board: &Board, scene: &scene::Baked) -> Result<()> {
-    toolchain::component("clippy", "clippy")?;
-    let route = toolchain::provide(board.target)?;
-    if route == Route::Debian {
-        return Err(Problem::Missing(format!(
-            "clippy for {0} needs the target in rustup: `rustup target add {0}`",
-            board.target
-        )));
-    }
+    let route = with_clippy(board.target)?;
     let mut command = cargo(route, board, "clippy");
     command
         .args(["--features", "demo"])
@@ -161,26 +149,79 @@ pub fn clippy(board: &Board, scene: &scene::Baked) -> Result<()> {
     child::visibly(&mut command)
 }
 
+/// Clippy over a device's crate.
+pub fn clippy_device(device: &Device, scene: &scene::Baked) -> Result<()> {
+    let route = with_clippy(device.target)?;
+    let mut command = cargo_for(route, device.folder, device.target, "clippy");
+    command
+        .arg("--target-dir")
+        .arg(paths::target_crate(device.folder).join("target"))
+        .args(["--features", device.features])
+        .env("FIXEL_SCENE", &scene.path)
+        .args(["--", "-D", "warnings"]);
+    child::visibly(&mut command)
+}
+
+/// A compiler for a target that comes with clippy, which Debian's does not.
+fn with_clippy(target: &str) -> Result<Route> {
+    toolchain::component("clippy", "clippy")?;
+    let route = toolchain::provide(target)?;
+    if route == Route::Debian {
+        return Err(Problem::Missing(format!(
+            "clippy for {target} needs the target in rustup: `rustup target add {target}`"
+        )));
+    }
+    Ok(route)
+}
+
 /// A crate's manifest in `targets/`.
 pub fn manifest(folder: &str) -> PathBuf {
     paths::target_crate(folder).join("Cargo.toml")
 }
 
 fn cargo(route: Route, board: &Board, subcommand: &str) -> Command {
-    let mut command = route.cargo(board.target);
+    let mut command = cargo_for(route, board.folder, board.target, subcommand);
+    command.arg("--target-dir").arg(target_folder(board));
+    command
+}
+
+fn cargo_for(route: Route, folder: &str, target: &str, subcommand: &str) -> Command {
+    let mut command = route.cargo(target);
     command
         .args([subcommand, "--quiet", "--release"])
-        .args(["--target", board.target])
+        .args(["--target", target])
         .arg("--manifest-path")
-        .arg(manifest(board.folder))
-        .arg("--target-dir")
-        .arg(target_folder(board))
+        .arg(manifest(folder))
         .current_dir(paths::root());
     command
 }
 
 fn cargo_build(route: Route, board: &Board) -> Command {
     cargo(route, board, "build")
+}
+
+/// Builds the firmware of a board with a panel, with a scene linked in.
+pub fn device(device: &Device, scene: &scene::Baked) -> Result<Demo> {
+    let route = toolchain::provide(device.target)?;
+    let folder = paths::target_crate(device.folder).join("target");
+    let mut command = cargo_for(route, device.folder, device.target, "build");
+    command
+        .arg("--target-dir")
+        .arg(&folder)
+        .args(["--bin", device.binary, "--features", device.features])
+        .env("FIXEL_SCENE", &scene.path);
+    child::visibly(&mut command)?;
+    let built = folder.join(device.target).join("release");
+    kept(&built.join(device.binary), device.name, scene, "")
+}
+
+/// Copies a firmware to where the next one does not overwrite it.
+fn kept(built: &Path, board: &str, scene: &scene::Baked, more: &str) -> Result<Demo> {
+    let stem = scene.path.file_stem().unwrap_or_default().to_string_lossy();
+    let path = paths::work("firmware")?.join(format!("{board}-{stem}{more}.elf"));
+    std::fs::copy(built, &path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let image = elf::Image::read(&path)?;
+    Ok(Demo { path, image })
 }
 
 /// Boards whose firmware differs in its features alone do not overwrite each

@@ -207,7 +207,7 @@ fn stack_bytes(text: &str) -> Result<u64> {
 }
 
 /// Fails if a firmware floats, allocates or could panic.
-fn promises(image: &elf::Image) -> Result<()> {
+pub fn promises(image: &elf::Image) -> Result<()> {
     let broken = elf::broken(image.symbols.iter().map(String::as_str));
     if !broken.floats.is_empty() {
         return Err(format!("floating point: {}", broken.floats.join(", ")).into());

@@ -10,14 +10,17 @@ mod bless;
 mod board;
 mod child;
 mod debian;
+mod device;
 mod elf;
 mod emulator;
 mod firmware;
+mod flash;
 mod footprint;
 mod gallery;
 mod gba;
 mod libretro;
 mod measure;
+mod panels;
 mod parallel;
 mod parity;
 mod paths;
@@ -27,10 +30,12 @@ mod problem;
 mod qemu;
 mod readme;
 mod report;
+mod rp2040;
 mod scaling;
 mod scene;
 mod test;
 mod toolchain;
+mod uf2;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -39,6 +44,7 @@ use clap::{Args, Parser, Subcommand};
 use serde_json::Value;
 
 use board::Board;
+use device::Named;
 use measure::Target;
 use problem::Result;
 use report::Tally;
@@ -92,27 +98,28 @@ enum Task {
     /// limits.
     Footprint(Json),
     /// Build the demo firmware of a board with a scene linked in; prints the
-    /// ELF file's path.
-    #[command(after_help = board::list())]
+    /// ELF file's path. For an RP2040 there is a UF2 file beside it.
+    #[command(after_help = device::list())]
     Firmware(OnBoard),
     /// Render one frame on a board in its emulator, and write what its panel
-    /// would show.
-    #[command(after_help = board::list())]
+    /// shows.
+    #[command(after_help = device::list())]
     Run {
         #[command(flatten)]
         on: OnBoard,
         /// Which frame
         #[arg(long, default_value_t = 0)]
         frame: u32,
-        /// Rows in a band
+        /// Rows in a band, where the board has no panel that decides it
         #[arg(long, value_name = "ROWS", default_value_t = 16)]
         bands: u32,
         /// The picture
         #[arg(short, long, value_name = "FILE.png", default_value = "frame.png")]
         output: PathBuf,
     },
-    /// Write the demo firmware to a real board.
-    #[command(after_help = board::list())]
+    /// Write the demo firmware to a real board: onto the drive that an RP2040 shows
+    /// while its BOOTSEL button is held, or by probe-rs.
+    #[command(after_help = device::list())]
     Flash(OnBoard),
     /// Build the browser simulator into one folder.
     Web,
@@ -134,11 +141,22 @@ struct Json {
 #[derive(Debug, Args)]
 struct OnBoard {
     /// The board's name
-    #[arg(value_name = "BOARD", value_parser = board::find)]
-    board: &'static Board,
-    /// A scene's name (as in scenes/) or file
-    #[arg(long, default_value = "teapot")]
-    scene: String,
+    #[arg(value_name = "BOARD", value_parser = device::find)]
+    board: Named,
+    /// A scene's name (as in scenes/) or file [default: teapot, as it suits the panel]
+    #[arg(long)]
+    scene: Option<String>,
+}
+
+impl OnBoard {
+    /// The scene asked for, or the board's.
+    fn scene(&self) -> &str {
+        let usual = match self.board {
+            Named::Board(_) => "teapot",
+            Named::Device(device) => device.scene,
+        };
+        self.scene.as_deref().unwrap_or(usual)
+    }
 }
 
 fn main() -> ExitCode {
@@ -170,8 +188,11 @@ fn run(task: Task) -> Result<()> {
         Task::Scaling(json) => figures(&json, scaling::run, scaling::markdown),
         Task::Footprint(json) => figures(&json, footprint::run, footprint::markdown),
         Task::Firmware(on) => {
-            let elf = picture::build(on.board, &on.scene)?;
-            println!("{}", elf.display());
+            let file = match on.board {
+                Named::Board(board) => picture::build(board, on.scene())?,
+                Named::Device(device) => panels::build(device, on.scene())?.path,
+            };
+            println!("{}", file.display());
             Ok(())
         }
         Task::Run {
@@ -179,12 +200,18 @@ fn run(task: Task) -> Result<()> {
             frame,
             bands,
             output,
-        } => picture::run(on.board, &on.scene, frame, bands, &output),
-        Task::Flash(on) => Err(format!(
-            "{} is an emulated board; there is no firmware for real boards yet",
-            on.board.name
-        )
-        .into()),
+        } => match on.board {
+            Named::Board(board) => picture::run(board, on.scene(), frame, bands, &output),
+            Named::Device(device) => panels::show(device, on.scene(), frame, &output),
+        },
+        Task::Flash(on) => match on.board {
+            Named::Device(device) => flash::run(&panels::build(device, on.scene())?),
+            Named::Board(board) => Err(format!(
+                "nothing is known about writing to a real {}: `cargo xtask firmware` makes the file",
+                board.name
+            )
+            .into()),
+        },
         Task::Web => Err("there is no browser simulator yet".into()),
         Task::Gallery => gallery::run(),
         Task::Readme => readme::run(),

@@ -7,25 +7,28 @@ use crate::board::{Board, Machine};
 use crate::firmware::Parts;
 use crate::measure::Target;
 use crate::problem::Result;
-use crate::{firmware, gba, paths, scene};
+use crate::{elf, firmware, gba, paths, scene};
 
 /// Builds the demo firmware with a scene linked in; gives the file that goes to the
 /// board: an ELF file, or a cartridge.
 pub fn build(board: &Board, scene_name: &str) -> Result<PathBuf> {
     let baked = scene::bake(scene_name)?;
     let demo = firmware::demo(board, &baked, Parts::All)?;
-    let image = &demo.image;
-    eprintln!(
-        "{}: {} bytes of code, {} of scene, {} of static RAM",
-        board.name,
-        image.code_bytes(),
-        image.scene_bytes,
-        image.static_ram_bytes
-    );
+    say_size(board.name, &demo.image);
     match board.machine {
         Machine::Mgba => gba::cartridge(&demo.path),
         Machine::Qemu(_) | Machine::Node(_) => Ok(demo.path),
     }
+}
+
+/// Says what a firmware takes.
+pub fn say_size(name: &str, image: &elf::Image) {
+    eprintln!(
+        "{name}: {} bytes of code, {} of scene, {} of static RAM",
+        image.code_bytes(),
+        image.scene_bytes,
+        image.static_ram_bytes
+    );
 }
 
 /// Renders one frame of a scene on a board in its emulator, and writes what a
@@ -79,7 +82,7 @@ pub fn write_png(to: &Path, width: u32, height: u32, rgb: &[u8]) -> Result<()> {
 }
 
 /// RGB565, high byte first, to 8 bits a channel, rounded to the nearest.
-fn rgb888(panel: &[u8]) -> Vec<u8> {
+pub fn rgb888(panel: &[u8]) -> Vec<u8> {
     let channel = |value: u16, most: u16| {
         ((u32::from(value) * 255 + u32::from(most) / 2) / u32::from(most)) as u8
     };

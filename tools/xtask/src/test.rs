@@ -4,18 +4,20 @@ use std::process::Command;
 use std::time::Instant;
 
 use crate::board::{self, BOARDS};
+use crate::device::DEVICES;
 use crate::measure::Target;
 use crate::problem::Result;
 use crate::report::Tally;
 use crate::{
-    accuracy, child, firmware, footprint, gallery, gba, parity, paths, picture, scene, toolchain,
+    accuracy, child, firmware, footprint, gallery, gba, panels, parity, paths, picture, scene,
+    toolchain,
 };
 
 /// A stage: its name, and what it does.
 type Stage = (&'static str, fn(&mut Tally));
 
 /// In this order: what is quick and fails often comes first.
-const STAGES: [Stage; 10] = [
+const STAGES: [Stage; 11] = [
     ("format", format),
     ("lints", lints),
     ("tests", tests),
@@ -27,6 +29,7 @@ const STAGES: [Stage; 10] = [
         tally.need("parity", result);
     }),
     ("gba", gba_stage),
+    ("panels", panels::run),
     ("footprint", footprint_stage),
     ("accuracy", |tally| {
         let result = accuracy::run(tally);
@@ -39,8 +42,8 @@ const HOST_CRATES: [&str; 4] = ["runner", "host", "demo", "libretro"];
 /// Those of them that have tests and docs.
 const TESTED: [&str; 3] = ["runner", "demo", "libretro"];
 /// All crates in `targets/`.
-const TARGET_CRATES: [&str; 8] = [
-    "runner", "host", "demo", "libretro", "cortex-m", "riscv", "wasm", "gba",
+const TARGET_CRATES: [&str; 9] = [
+    "runner", "host", "demo", "libretro", "cortex-m", "riscv", "wasm", "gba", "rp2040",
 ];
 
 /// The stages' names.
@@ -253,6 +256,10 @@ fn firmware_lints(tally: &mut Tally) {
     for board in &BOARDS {
         let name = format!("lints of targets/{} for {}", board.folder, board.target);
         tally.check(&name, firmware::clippy(board, &scene));
+    }
+    for device in &DEVICES {
+        let name = format!("lints of targets/{} for {}", device.folder, device.name);
+        tally.check(&name, firmware::clippy_device(device, &scene));
     }
 }
 
