@@ -20,6 +20,11 @@ const FRAMES: u32 = 5;
 /// animation, and its turn in steps of the buttons.
 const PRESSES: [&str; 3] = ["right=1..3", "left=4..5", "stop=2..4"];
 const STANDS: [(u32, i32); FRAMES as usize] = [(0, 0), (1, 1), (2, 2), (2, 2), (2, 1)];
+/// A device and a scene that draws faster than the bus sends, so that what the firmware does
+/// when the last byte of a band goes out is seen too.
+const WAITING: (&Device, &str) = (&DEVICES[0], "w1_teapot_flat");
+/// Cycles of waiting that show it.
+const WAITED: u64 = 10_000;
 /// Of a full turn, in 65536ths.
 const STEP: i32 = 1024;
 
@@ -76,6 +81,19 @@ pub fn run(tally: &mut Tally) {
         let name = format!("what {} sends", device.name);
         tally.check(&name, sent(device, &shown));
     }
+    let (device, scene_name) = WAITING;
+    let name = format!("{} waits for its bus", device.name);
+    tally.check(&name, waits(device, scene_name));
+}
+
+fn waits(device: &Device, scene_name: &str) -> Result<()> {
+    let demo = build(device, scene_name)?;
+    let shown = rp2040::run(device, &demo.path, 2, &[])?;
+    all_as_rendered(device, &scene::bake(scene_name)?, &shown)?;
+    if shown.iter().any(|shown| shown.report.waiting < WAITED) {
+        return Err("drawing was not faster than the bus: this showed nothing".into());
+    }
+    Ok(())
 }
 
 fn all_as_rendered(device: &Device, scene: &Baked, shown: &[Shown]) -> Result<()> {
