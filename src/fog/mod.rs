@@ -114,6 +114,22 @@ pub fn apply(target: &mut Target<'_>, table: &[[u8; 256]; FOG_ROWS], depths: &Fo
     }
 }
 
+/// Hands on each pixel that was drawn, with its depth and the row of a pixel nearby; see
+/// [`Haze::over`].
+pub fn each<C>(target: &mut Target<'_, C>, mut fogged: impl FnMut(&mut C, Depth, &mut usize)) {
+    let width = usize::from(target.width);
+    let stride = usize::from(target.stride).max(1);
+    let mut row = 0;
+    let rows = target.indices.chunks_mut(stride);
+    for (pixels, depths) in rows.zip(target.depths.chunks(stride)) {
+        for (pixel, depth) in pixels.iter_mut().zip(depths).take(width) {
+            if *depth != 0 {
+                fogged(pixel, *depth, &mut row);
+            }
+        }
+    }
+}
+
 /// Fogs the first pixels, as far as their depths are in a row's range; says how many.
 /// About 11 instructions a pixel on Cortex-M4.
 #[inline(always)]

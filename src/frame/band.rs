@@ -2,15 +2,17 @@
 
 use core::fmt;
 
+use super::Stored;
 use super::fill::fill;
 use crate::math::{Depth, Rect};
 
-/// Buffers for a band: a palette index and a depth for each pixel. A band as
+/// Buffers for a band: a palette index (or what else is [`Stored`]) and a depth for each
+/// pixel. A band as
 /// high as the screen holds a whole frame; a lower one is used again and again,
 /// from the top of the screen to its bottom.
 #[derive(Debug)]
-pub struct Band<'a> {
-    indices: &'a mut [u8],
+pub struct Band<'a, C = u8> {
+    indices: &'a mut [C],
     depths: &'a mut [Depth],
     width: u16,
     rows: u16,
@@ -37,7 +39,7 @@ impl fmt::Display for BandError {
 
 impl core::error::Error for BandError {}
 
-impl<'a> Band<'a> {
+impl<'a, C: Stored> Band<'a, C> {
     /// A band of a screen `width` pixels wide, with as many rows as both
     /// buffers hold.
     ///
@@ -45,7 +47,7 @@ impl<'a> Band<'a> {
     /// If not even one row fits, or `width` is not in 1..=2048.
     pub fn new(
         width: u16,
-        indices: &'a mut [u8],
+        indices: &'a mut [C],
         depths: &'a mut [Depth],
     ) -> Result<Self, BandError> {
         let pixels = indices.len().min(depths.len());
@@ -75,7 +77,7 @@ impl<'a> Band<'a> {
     }
 
     /// The part that stands for screen rows `top..end`; at most as many as fit.
-    pub fn target(&mut self, top: u16, end: u16) -> Target<'_> {
+    pub fn target(&mut self, top: u16, end: u16) -> Target<'_, C> {
         let end = end.max(top).min(top.saturating_add(self.rows));
         let pixels = usize::from(end - top) * usize::from(self.width);
         Target {
@@ -92,9 +94,10 @@ impl<'a> Band<'a> {
 /// Screen rows being drawn: of a band, or of a viewport, which is drawn as if it
 /// were a screen of its own.
 #[derive(Debug)]
-pub struct Target<'a> {
-    /// Palette indices, row by row, each from the screen's left column on.
-    pub indices: &'a mut [u8],
+pub struct Target<'a, C = u8> {
+    /// Palette indices, or what else is [`Stored`], row by row, each from the screen's left
+    /// column on.
+    pub indices: &'a mut [C],
     /// Depths, as the indices; 0 where nothing is.
     pub depths: &'a mut [Depth],
     /// Columns of the screen.
@@ -107,10 +110,10 @@ pub struct Target<'a> {
     pub end: u16,
 }
 
-impl<'a> Target<'a> {
+impl<'a, C: Stored> Target<'a, C> {
     /// The part of these rows within `rect`, as a screen of that size: pixel
     /// (0, 0) is the rectangle's top left one.
-    pub fn part(&mut self, rect: &Rect) -> Target<'_> {
+    pub fn part(&mut self, rect: &Rect) -> Target<'_, C> {
         let right = rect.right.min(self.width);
         let left = rect.left.min(right);
         let end = self.end.min(rect.bottom);
@@ -128,15 +131,17 @@ impl<'a> Target<'a> {
         }
     }
 
-    /// Empties the rows: depth 0, and in row `y` the index that `background`
-    /// gives for it.
-    pub fn clear(&mut self, mut background: impl FnMut(u16) -> u8) {
+    /// Empties the rows: depth 0, and in row `y` what `background` gives for it.
+    pub fn clear(&mut self, mut background: impl FnMut(u16) -> C) {
         let (width, stride) = (usize::from(self.width), usize::from(self.stride).max(1));
         let rows = self.indices.chunks_mut(stride);
         for (y, row) in (self.top..self.end).zip(rows) {
             let index = background(y);
-            let word = u32::from_ne_bytes([index; 4]);
-            fill(row.get_mut(..width).unwrap_or_default(), index, word);
+            fill(
+                row.get_mut(..width).unwrap_or_default(),
+                index,
+                index.word(),
+            );
         }
         if width == stride {
             fill(self.depths, 0, 0);
@@ -148,7 +153,7 @@ impl<'a> Target<'a> {
     }
 
     /// The finished rows, for as long as the band is not drawn into again.
-    pub fn into_finished(self) -> BandRows<'a> {
+    pub fn into_finished(self) -> BandRows<'a, C> {
         BandRows {
             indices: self.indices,
             depths: self.depths,
@@ -158,7 +163,7 @@ impl<'a> Target<'a> {
     }
 
     /// The finished rows.
-    pub fn finished(&self) -> BandRows<'_> {
+    pub fn finished(&self) -> BandRows<'_, C> {
         BandRows {
             indices: self.indices,
             depths: self.depths,
@@ -170,9 +175,9 @@ impl<'a> Target<'a> {
 
 /// Finished rows, for a display.
 #[derive(Clone, Copy, Debug)]
-pub struct BandRows<'a> {
-    /// Palette indices, row by row.
-    pub indices: &'a [u8],
+pub struct BandRows<'a, C = u8> {
+    /// Palette indices, or what else is [`Stored`], row by row.
+    pub indices: &'a [C],
     /// Depths, row by row; 0 where nothing is.
     pub depths: &'a [Depth],
     /// Pixels in a row.
@@ -181,7 +186,7 @@ pub struct BandRows<'a> {
     pub top: u16,
 }
 
-impl BandRows<'_> {
+impl<C> BandRows<'_, C> {
     /// Number of rows.
     pub fn rows(&self) -> u16 {
         self.indices

@@ -4,5 +4,7 @@
 
 mod band;
 mod fill;
+mod stored;
 
 pub use band::{Band, BandError, BandRows, Target};
+pub use stored::Stored;

@@ -26,12 +26,12 @@ pub(super) fn row_bytes(width: u16) -> usize {
 
 /// Draws a mark at a point, all of it at the point's depth; `index` gets a pixel's column
 /// and row.
-pub fn draw_mark(
-    target: &mut Target<'_>,
+pub fn draw_mark<C>(
+    target: &mut Target<'_, C>,
     point: &ScreenVertex,
     mark: &Mark<'_>,
     rule: &DepthRule,
-    mut index: impl FnMut([i32; 2]) -> Option<u8>,
+    mut index: impl FnMut([i32; 2]) -> Option<C>,
 ) {
     const HALF_PIXEL_BITS: u32 = SUBPX_BITS - 1;
     let [ox, oy] = mark.offset.map(i32::from);

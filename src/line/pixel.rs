@@ -15,12 +15,12 @@ impl DepthRule {
 
     /// Writes a pixel if it is in the target and nothing nearer stands there.
     #[inline(always)]
-    pub(super) fn put(
+    pub(super) fn put<C>(
         &self,
-        target: &mut Target<'_>,
+        target: &mut Target<'_, C>,
         [x, y]: [i32; 2],
         here: Depth,
-        index: impl FnOnce() -> Option<u8>,
+        index: impl FnOnce() -> Option<C>,
     ) {
         let row = y - i32::from(target.top);
         let columns = i32::from(target.width);

@@ -53,12 +53,12 @@ pub fn draw_line(target: &mut Target<'_>, line: &Line<'_>, rule: &DepthRule, fil
 
 /// The same by the `colours` of its vertices, in 1/64 of a level; `index` gets a pixel's
 /// and its column and row.
-pub fn draw_coloured_line(
-    target: &mut Target<'_>,
+pub fn draw_coloured_line<C>(
+    target: &mut Target<'_, C>,
     line: &Line<'_>,
     rule: &DepthRule,
     colours: [[i32; 3]; 2],
-    mut index: impl FnMut([u16; 3], [i32; 2]) -> u8,
+    mut index: impl FnMut([u16; 3], [i32; 2]) -> C,
 ) {
     draw(target, line, rule, |walk, ends, lead| {
         let [from, to] = walk.in_order(colours);
@@ -83,8 +83,8 @@ fn byte(level: i32) -> usize {
 /// Draws a line. `shade` gets the walk, the ends in its order and where along it its first
 /// pixel is; what it gives is asked for the index of pixel `n` at a column and row.
 #[inline(always)]
-fn draw<S: FnMut(i32, [i32; 2]) -> Option<u8>>(
-    target: &mut Target<'_>,
+fn draw<C, S: FnMut(i32, [i32; 2]) -> Option<C>>(
+    target: &mut Target<'_, C>,
     line: &Line<'_>,
     rule: &DepthRule,
     shade: impl FnOnce(&Walk, [&ScreenVertex; 2], i32) -> S,
@@ -125,7 +125,7 @@ fn draw<S: FnMut(i32, [i32; 2]) -> Option<u8>>(
 /// Whether a line may have pixels in the target's rows: a quick look, as most lines
 /// of a mesh are in other bands.
 #[inline(always)]
-fn in_rows(target: &Target<'_>, line: &Line<'_>) -> bool {
+fn in_rows<C>(target: &Target<'_, C>, line: &Line<'_>) -> bool {
     let [a, b] = line.vertices.map(|v| v.y().to_bits());
     let off = (i32::from(line.width) + 1) << SUBPX_BITS;
     let (top, end) = (i32::from(target.top), i32::from(target.end));
@@ -201,7 +201,7 @@ impl Walk {
     }
 
     /// The pixels along `major` that may have any in the target.
-    fn in_target(&self, target: &Target<'_>, width: u8) -> (i32, i32) {
+    fn in_target<C>(&self, target: &Target<'_, C>, width: u8) -> (i32, i32) {
         let columns = (0, i32::from(target.width));
         let rows = (i32::from(target.top), i32::from(target.end));
         let (along, across) = if self.major == 0 {

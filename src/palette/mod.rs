@@ -8,7 +8,7 @@ mod tones;
 
 pub use convert::{cmy, cmyk, cmyk_of, cross_fade, fade, hsv, hsv_of, mixed};
 pub use packed::{Rgb444Table, pack_rgb888};
-pub use rgb565::{Rgb565Table, bgr555, rgb565, rgb565_of_sum};
+pub use rgb565::{Rgb565Table, bgr555, light_of_rgb565, rgb565, rgb565_of_light, rgb565_of_sum};
 pub use tones::{Tone, Tones, luma, tone};
 
 /// Red, green and blue of up to 256 entries, 8 bits each.

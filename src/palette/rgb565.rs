@@ -31,6 +31,33 @@ pub const fn rgb565_of_sum(sum: u32) -> u16 {
     round(sum >> 20, 31) << 11 | round(sum >> 10, 63) << 5 | round(sum, 31)
 }
 
+/// 5, 6 and 5 bits of red, green and blue in 1/64 of 255 levels, at most full, each rounded
+/// to nearest.
+#[inline]
+pub const fn rgb565_of_light([r, g, b]: [u16; 3]) -> u16 {
+    const fn round(c: u16, most: u32) -> u16 {
+        // most / (255 * 64) in 2^-20: off by less than a 250th of a step at most.
+        let factor = ((most << 20) + 255 * 32) / (255 * 64);
+        ((c as u32 * factor + (1 << 19)) >> 20) as u16
+    }
+    round(r, 31) << 11 | round(g, 63) << 5 | round(b, 31)
+}
+
+/// The way back: red, green and blue in 1/64 of 255 levels, rounded to nearest.
+#[inline]
+pub const fn light_of_rgb565(colour: u16) -> [u16; 3] {
+    const fn widen(c: u16, most: u32) -> u16 {
+        // 255 * 64 / most in 2^-6.
+        let factor = ((255 * 64) << 6) / most;
+        ((c as u32 * factor + (1 << 5)) >> 6) as u16
+    }
+    [
+        widen(colour >> 11, 31),
+        widen(colour >> 5 & 63, 63),
+        widen(colour & 31, 31),
+    ]
+}
+
 /// A look-up table from index to RGB565 in the byte order of panels: high byte
 /// first. 512 bytes.
 #[derive(Clone, Debug)]

@@ -59,3 +59,16 @@ fn colours_of_consoles() {
     // 4.11 is a half of a 31st.
     assert_eq!(of([4, 5, 250]), 30 << 10 | 1 << 5);
 }
+
+#[test]
+fn light_and_16_bits() {
+    use super::{light_of_rgb565, rgb565_of_light};
+    for v in 0..=255 {
+        let fine = [v << 6; 3];
+        let v = v as u8;
+        assert_eq!(rgb565_of_light(fine), rgb565([v; 3]), "{v}");
+    }
+    for colour in 0..=u16::MAX {
+        assert_eq!(rgb565_of_light(light_of_rgb565(colour)), colour);
+    }
+}

@@ -16,17 +16,17 @@ pub const LONGEST_RUN: usize = 33;
 pub const RUN_FRACTION: u32 = 14;
 
 /// What is done with runs. Not a closure, because that is not inlined where it is called.
-pub trait Shade<const A: usize> {
+pub trait Shade<const A: usize, C = u8> {
     /// Draws one from its first pixel on; gives how many pixels it drew, at least one. The
     /// others come again.
-    fn run(&self, run: Run<'_, A>) -> usize;
+    fn run(&self, run: Run<'_, A, C>) -> usize;
 }
 
 /// Pixels side by side, with what is drawn there.
 #[derive(Debug)]
-pub struct Run<'t, const A: usize> {
-    /// Palette indices.
-    pub indices: &'t mut [u8],
+pub struct Run<'t, const A: usize, C = u8> {
+    /// Palette indices, or what else is [`Stored`](crate::frame::Stored).
+    pub indices: &'t mut [C],
     /// Depths; as many.
     pub depths: &'t mut [Depth],
     /// Screen column and row of the first pixel.
@@ -45,7 +45,7 @@ pub struct Run<'t, const A: usize> {
     pub down_step: [i32; 2],
 }
 
-impl<const A: usize> Run<'_, A> {
+impl<const A: usize, C: Copy> Run<'_, A, C> {
     /// Leaves out the pixels after the first `count`.
     #[inline(always)]
     pub fn cut(self, count: usize) -> Self {
@@ -58,7 +58,7 @@ impl<const A: usize> Run<'_, A> {
     }
 
     /// The same run.
-    pub fn again(&mut self) -> Run<'_, A> {
+    pub fn again(&mut self) -> Run<'_, A, C> {
         Run {
             indices: self.indices,
             depths: self.depths,
@@ -73,7 +73,7 @@ impl<const A: usize> Run<'_, A> {
     pub fn draw<const N: usize>(
         self,
         solid: bool,
-        mut shade: impl FnMut(i32, &[i32; N], u8) -> Option<u8>,
+        mut shade: impl FnMut(i32, &[i32; N], C) -> Option<C>,
     ) {
         let (mut z, dz) = self.depth;
         let [mut values, mut steps, bends] = [self.from, self.step, self.bend].map(first::<A, N>);

@@ -61,8 +61,8 @@ impl Between {
 }
 
 /// The pixels of a span.
-pub(super) struct Span<'t> {
-    pub indices: &'t mut [u8],
+pub(super) struct Span<'t, C = u8> {
+    pub indices: &'t mut [C],
     pub depths: &'t mut [Depth],
     /// Screen column and row of the first one.
     pub place: [i32; 2],
@@ -72,12 +72,12 @@ pub(super) struct Span<'t> {
 /// first pixel is found, on its row; `draw` fills a span, and `sliver` one of a triangle
 /// for which `setup` exceeds the formats.
 #[inline(always)]
-pub(super) fn scan<A: Stepped>(
-    target: &mut Target<'_>,
+pub(super) fn scan<A: Stepped, C>(
+    target: &mut Target<'_, C>,
     shape: &Shape<'_>,
     setup: impl Fn(&Plane, i32) -> Option<A>,
-    draw: impl Fn(Span<'_>, &A),
-    sliver: impl Fn(Span<'_>),
+    draw: impl Fn(Span<'_, C>, &A),
+    sliver: impl Fn(Span<'_, C>),
 ) {
     let [top, middle, bottom] = shape.sorted;
     let (first, end) = shape.rows;
@@ -154,12 +154,12 @@ struct Rows {
 
 /// Draws rows with stepped attributes; gives all as it is after the last row.
 #[inline(always)]
-fn step<A: Stepped>(
-    target: &mut Target<'_>,
+fn step<A: Stepped, C>(
+    target: &mut Target<'_, C>,
     rows: Rows,
     mut sides: Between,
     mut at: A,
-    draw: &impl Fn(Span<'_>, &A),
+    draw: &impl Fn(Span<'_, C>, &A),
 ) -> (A, Between) {
     let mut start = rows.start;
     for row in rows.row..rows.to {
@@ -189,11 +189,11 @@ fn step<A: Stepped>(
 /// Draws rows of a triangle whose attributes cannot be stepped.
 #[cold]
 #[inline(never)]
-fn sliver_rows(
-    target: &mut Target<'_>,
+fn sliver_rows<C>(
+    target: &mut Target<'_, C>,
     rows: Range<i32>,
     mut sides: Between,
-    sliver: &dyn Fn(Span<'_>),
+    sliver: &dyn Fn(Span<'_, C>),
 ) -> Between {
     for row in rows {
         let (left, right) = sides.span();

@@ -16,24 +16,11 @@ pub(super) const WEIGHT_BITS: u32 = 20;
 #[cold]
 #[inline(never)]
 pub(super) fn span(span: Span<'_>, shape: &Shape<'_>, fill: Fill<'_>) {
-    let Span {
-        indices,
-        depths,
-        place: [column, row],
-    } = span;
-    let (places, area) = places(shape.sorted, shape.area);
     let depth_values = shape.sorted.map(|v| i64::from(v.z().to_bits()));
     let levels = shape.sorted.map(|v| i64::from(v.level().to_bits()));
-    for ((pixel, depth), column) in indices.iter_mut().zip(depths).zip(column..) {
-        let weights = weights(places, area, [column, row]);
-        let fine_depth = mix(depth_values, weights);
-        let here = (fine_depth + (1 << 3)) >> 4;
-        if here <= i64::from(*depth) {
-            continue;
-        }
-        *depth = here as Depth;
+    nearer(span, shape, |pixel, weights, fine_depth| {
         *pixel = match fill {
-            Fill::Depth => continue,
+            Fill::Depth => return,
             Fill::Flat(index) => index,
             Fill::Gouraud(shades) => {
                 let weights = if shape.perspective {
@@ -45,6 +32,36 @@ pub(super) fn span(span: Span<'_>, shape: &Shape<'_>, fill: Fill<'_>) {
                 shades.get(level as usize).copied().unwrap_or(0)
             }
         };
+    });
+}
+
+/// Fills a span's depths alone.
+#[cold]
+#[inline(never)]
+pub(super) fn depth<C>(span: Span<'_, C>, shape: &Shape<'_>) {
+    nearer(span, shape, |_, _, _| {});
+}
+
+/// Hands on the pixels that are nearer than what stands there, with their weights and fine
+/// depths, after their depths are written.
+#[inline(always)]
+fn nearer<C>(span: Span<'_, C>, shape: &Shape<'_>, mut draw: impl FnMut(&mut C, [i64; 2], i64)) {
+    let Span {
+        indices,
+        depths,
+        place: [column, row],
+    } = span;
+    let (places, area) = places(shape.sorted, shape.area);
+    let depth_values = shape.sorted.map(|v| i64::from(v.z().to_bits()));
+    for ((pixel, depth), column) in indices.iter_mut().zip(depths).zip(column..) {
+        let weights = weights(places, area, [column, row]);
+        let fine_depth = mix(depth_values, weights);
+        let here = (fine_depth + (1 << 3)) >> 4;
+        if here <= i64::from(*depth) {
+            continue;
+        }
+        *depth = here as Depth;
+        draw(pixel, weights, fine_depth);
     }
 }
 

@@ -14,20 +14,20 @@ use super::scan::{Shape, Span, scan};
 use super::sliver::{mix, weights};
 use super::surface_planes::Surface;
 use super::triangle::{Drawn, Sides, shown, sort};
-use crate::frame::Target;
+use crate::frame::{Stored, Target};
 use crate::math::SUBPX_BITS;
 use crate::vertex::ScreenVertex;
 
 /// Draws a triangle if it shows one of `sides`, run by run; `corners` is asked for
 /// only then, in the order of the vertices.
 #[inline(never)]
-pub fn draw_surface<const A: usize>(
-    target: &mut Target<'_>,
+pub fn draw_surface<const A: usize, C: Stored>(
+    target: &mut Target<'_, C>,
     triangle: [&ScreenVertex; 3],
     sides: Sides,
     kind: SurfaceKind,
     corners: &mut dyn FnMut() -> [Corner<A>; 3],
-    shade: &impl Shade<A>,
+    shade: &impl Shade<A, C>,
 ) -> Drawn {
     let seen = match shown(target, triangle, sides) {
         Ok(seen) => seen,
@@ -58,11 +58,11 @@ pub fn draw_surface<const A: usize>(
 /// Hands on a span of a sliver, pixel by pixel.
 #[cold]
 #[inline(never)]
-fn sliver<const A: usize>(
-    span: Span<'_>,
+fn sliver<const A: usize, C>(
+    span: Span<'_, C>,
     shape: &Shape<'_>,
     corners: &Corners<A>,
-    shade: &impl Shade<A>,
+    shade: &impl Shade<A, C>,
 ) {
     let (places, area) = places(shape.sorted, shape.area);
     let depths = shape.sorted.map(|v| i64::from(v.z().to_bits()));

@@ -5,6 +5,7 @@ use super::corners::{Corners, SurfaceKind};
 use super::gradient::Plane;
 use super::run::{LONGEST_RUN, MOST_ATTRIBUTES, RUN_FRACTION, Run, Shade, Values};
 use super::scan::{Shape, Span, Stepped};
+use crate::frame::Stored;
 use crate::math::{HALF_PX, Reciprocal, SUBPX_BITS, mul_high, reciprocal};
 
 /// A quantity that is linear on the screen, at the centre of one pixel, and its
@@ -126,7 +127,7 @@ impl<const A: usize> Surface<A> {
 
     /// Hands on a span in runs.
     #[inline(always)]
-    pub(super) fn runs(&self, span: Span<'_>, column: i32, shade: &impl Shade<A>) {
+    pub(super) fn runs<C: Stored>(&self, span: Span<'_, C>, column: i32, shade: &impl Shade<A, C>) {
         let Span {
             mut indices,
             mut depths,

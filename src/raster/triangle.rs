@@ -40,6 +40,9 @@ pub enum How {
 }
 
 impl Drawn {
+    /// There was nothing to draw.
+    pub const NOTHING: Self = Self::last(How::Missed);
+
     /// It is done with.
     const fn last(how: How) -> Self {
         Self { how, more: false }
@@ -115,8 +118,8 @@ pub fn draw_triangle<'f>(
 
 /// A triangle that shows one of `sides` and may have pixels in the target.
 #[inline(always)]
-pub(super) fn shown(
-    target: &Target<'_>,
+pub(super) fn shown<C>(
+    target: &Target<'_, C>,
     triangle: [&ScreenVertex; 3],
     sides: Sides,
 ) -> Result<Seen, Drawn> {
@@ -236,7 +239,7 @@ fn fill_large(
 
 /// From the attributes' place, the top vertex's column, to a span's first pixel.
 #[inline(always)]
-fn columns(shape: &Shape<'_>) -> impl Fn(&Span<'_>) -> i32 + Copy + use<> {
+fn columns<C>(shape: &Shape<'_>) -> impl Fn(&Span<'_, C>) -> i32 + Copy + use<C> {
     let [top, ..] = shape.sorted;
     let column = top.x().to_bits() >> SUBPX_BITS;
     move |span| {
@@ -247,7 +250,11 @@ fn columns(shape: &Shape<'_>) -> impl Fn(&Span<'_>) -> i32 + Copy + use<> {
 
 /// Draws a triangle's depth alone if it shows one of `sides`: no index changes.
 #[inline(never)]
-pub fn draw_depth(target: &mut Target<'_>, triangle: [&ScreenVertex; 3], sides: Sides) -> Drawn {
+pub fn draw_depth<C>(
+    target: &mut Target<'_, C>,
+    triangle: [&ScreenVertex; 3],
+    sides: Sides,
+) -> Drawn {
     let seen = match shown(target, triangle, sides) {
         Ok(seen) => seen,
         Err(drawn) => return drawn,
@@ -265,7 +272,7 @@ pub fn draw_depth(target: &mut Target<'_>, triangle: [&ScreenVertex; 3], sides: 
         &shape,
         |plane, row| Attributes::depth(plane, &shape, row),
         |span, at| span::depth(span.depths, at.z.at(columns(&span)), at.z.gradient.x),
-        |span| sliver::span(span, &shape, Fill::Depth),
+        |span| sliver::depth(span, &shape),
     );
     seen.filled()
 }

@@ -81,7 +81,7 @@ impl<'a> Actors<'a> {
         self.fog.get_or_insert_with(depths)
     }
 
-    /// The fog before a viewport's blended surfaces.
+    /// A viewport's fog, if `P` shows any.
     pub(super) fn haze<P: Paint>(&mut self, viewport: u16) -> Option<Haze> {
         if !(cfg!(feature = "fog") && P::FOGGED) {
             return None;

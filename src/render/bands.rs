@@ -32,7 +32,7 @@ use crate::scene::{Pose, Scene};
 /// # }
 /// ```
 #[derive(Debug)]
-pub struct Bands<'a, 'b, P = Shaded> {
+pub struct Bands<'a, 'b, P: Paint = Shaded> {
     paint: P,
     scene: &'a Scene<'a>,
     height: u16,
@@ -41,7 +41,7 @@ pub struct Bands<'a, 'b, P = Shaded> {
     /// How many of them hold the whole frame, if they do.
     whole: Option<usize>,
     cache: MeshletCache<'a>,
-    band: &'a mut Band<'b>,
+    band: &'a mut Band<'b, P::Stored>,
     /// Those that are not drawn yet.
     rows: Range<u16>,
     stats: FrameStats,
@@ -69,7 +69,7 @@ impl<'a, 'b, P: Paint> Bands<'a, 'b, P> {
         scene: &'a Scene<'a>,
         pose: &'a Pose<'a>,
         work: &'a mut Workspace<'_>,
-        band: &'a mut Band<'b>,
+        band: &'a mut Band<'b, P::Stored>,
         rows: Range<u16>,
     ) -> Self {
         let mut stats = FrameStats::default();
@@ -108,13 +108,13 @@ impl<'a, 'b, P: Paint> Bands<'a, 'b, P> {
         clippy::should_implement_trait,
         reason = "an iterator cannot lend what it will write into again"
     )]
-    pub fn next(&mut self) -> Option<BandRows<'_>> {
+    pub fn next(&mut self) -> Option<BandRows<'_, P::Stored>> {
         self.next_target().map(Target::into_finished)
     }
 
     /// The same, to be drawn over: see [`Overlay`](crate::display::Overlay).
     #[inline(never)]
-    pub fn next_target(&mut self) -> Option<Target<'_>> {
+    pub fn next_target(&mut self) -> Option<Target<'_, P::Stored>> {
         if self.rows.is_empty() {
             return None;
         }

@@ -10,7 +10,7 @@ use super::surface::draw_surface_meshlet;
 use super::triangles::{Done, Draw, Triangle, triangles};
 use super::visible_list::Entry;
 use crate::fog::Haze;
-use crate::frame::Target;
+use crate::frame::{Stored, Target};
 use crate::math::Rect;
 use crate::raster::{Drawn, Sides, draw_triangle};
 use crate::scene::{Cull, Meshlet, Scene, Shading};
@@ -42,7 +42,7 @@ pub(super) fn draw_meshlet<P: Paint>(
     }: Place<'_>,
     entry: &mut Entry,
     cache: &mut MeshletCache<'_>,
-    target: &mut Target<'_>,
+    target: &mut Target<'_, P::Stored>,
     stats: &mut FrameStats,
 ) {
     let Some(meshlet) = scene.meshlet(entry.meshlet()) else {
@@ -82,7 +82,7 @@ pub(super) fn draw_meshlet<P: Paint>(
         }
     } else if cfg!(feature = "light") && view.material.is_surface() {
         draw_surface_meshlet(paint, &part, done, target, stats);
-    } else {
+    } else if let Some(target) = P::Stored::indices(target) {
         draw_plain_meshlet(paint, &part, done, target, stats);
     }
 }

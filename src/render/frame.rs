@@ -33,7 +33,7 @@ pub fn render_frame<D: Display>(
 ///
 /// # Errors
 /// Those of the display; drawing itself cannot fail.
-pub fn render_frame_with<P: Paint, D: Display>(
+pub fn render_frame_with<P: Paint<Stored = u8>, D: Display>(
     paint: &P,
     scene: &Scene<'_>,
     pose: &Pose<'_>,
@@ -63,7 +63,7 @@ pub fn palette<'a>(scene: &Scene<'a>, pose: &Pose<'_>) -> Palette<'a> {
 /// # Errors
 /// Those of the display; drawing itself cannot fail.
 #[inline(never)]
-pub fn render_rows_with<P: Paint, D: Display>(
+pub fn render_rows_with<P: Paint<Stored = u8>, D: Display>(
     paint: &P,
     scene: &Scene<'_>,
     pose: &Pose<'_>,

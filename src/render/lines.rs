@@ -7,7 +7,7 @@ use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
 use super::triangles::{Done, Draw, Triangle, clip_vertices, corner, triangles};
 use crate::clip::clip_line;
-use crate::frame::Target;
+use crate::frame::{Stored, Target};
 use crate::light::Lit;
 use crate::line::{DepthRule, Line, Mark, draw_coloured_line, draw_line, draw_mark};
 use crate::math::{FineDepth, SUBPX_BITS};
@@ -72,7 +72,7 @@ pub(super) fn draw_look<P: Paint>(
     paint: &P,
     part: &Part<'_>,
     look: &Look,
-    target: &mut Target<'_>,
+    target: &mut Target<'_, P::Stored>,
     stats: &mut FrameStats,
 ) {
     if look.representation == Representation::Points {
@@ -94,9 +94,15 @@ fn is_coloured(part: &Part<'_>) -> bool {
     cfg!(feature = "light") && part.view.material.coloured
 }
 
-/// The index of a pixel by its colour.
+/// A pixel by its colour.
 #[inline(always)]
-fn colour_index<P: Paint>(paint: &P, part: &Part<'_>, lit: Lit, place: [i32; 2], ids: Ids) -> u8 {
+fn coloured<P: Paint>(
+    paint: &P,
+    part: &Part<'_>,
+    lit: Lit,
+    place: [i32; 2],
+    ids: Ids,
+) -> P::Stored {
     let pixel = Pixel {
         lookup: Lookup::Colours(part.scene.colours()),
         lit,
@@ -110,7 +116,7 @@ fn draw_points<P: Paint>(
     paint: &P,
     part: &Part<'_>,
     look: &Look,
-    target: &mut Target<'_>,
+    target: &mut Target<'_, P::Stored>,
     stats: &mut FrameStats,
 ) {
     let shades = part.scene.shade(&part.view.material);
@@ -133,9 +139,9 @@ fn draw_points<P: Paint>(
         };
         if is_coloured(part) {
             let lit = part.transformed.colour(number).map(|c| c as u16);
-            let index = |place| Some(colour_index(paint, part, lit, place, ids));
+            let index = |place| Some(coloured(paint, part, lit, place, ids));
             draw_mark(target, point, &mark, &rule(look), index);
-        } else {
+        } else if let Some(target) = P::Stored::indices(target) {
             let level = || (usize::from(point.level().to_bits()) + 32) >> 6;
             let index = paint.fill(shades, None, ids).index(level);
             draw_mark(target, point, &mark, &rule(look), |_| index);
@@ -147,7 +153,7 @@ fn draw_edges<P: Paint>(
     paint: &P,
     part: &Part<'_>,
     look: &Look,
-    target: &mut Target<'_>,
+    target: &mut Target<'_, P::Stored>,
     stats: &mut FrameStats,
 ) {
     let shades = part.scene.shade(&part.view.material);
@@ -194,9 +200,9 @@ fn draw_edges<P: Paint>(
                 None => [from, to],
             };
             draw_coloured_line(target, &line, &rule(look), colours, |lit, place| {
-                colour_index(paint, part, lit, place, ids)
+                coloured(paint, part, lit, place, ids)
             });
-        } else {
+        } else if let Some(target) = P::Stored::indices(target) {
             draw_line(target, &line, &rule(look), paint.fill(shades, None, ids));
         }
     }
@@ -209,7 +215,7 @@ pub(super) fn draw_hidden<P: Paint>(
     paint: &P,
     part: &Part<'_>,
     look: &Look,
-    target: &mut Target<'_>,
+    target: &mut Target<'_, P::Stored>,
     stats: &mut FrameStats,
 ) {
     let (scene, view) = (part.scene, part.view);
@@ -232,10 +238,10 @@ pub(super) fn draw_hidden<P: Paint>(
 }
 
 /// What the faces of a hidden-line meshlet have in common.
-struct Hidden<'a, 't, P> {
+struct Hidden<'a, 't, P: Paint> {
     paint: &'a P,
     part: &'a Part<'a>,
-    target: &'a mut Target<'t>,
+    target: &'a mut Target<'t, P::Stored>,
     /// Of its lines, as the look has it.
     width: i64,
 }
@@ -251,7 +257,10 @@ impl<P: Paint> Draw for Hidden<'_, '_, P> {
         if let Fill::Depth = fill {
             return draw_depth(self.target, corners.each_ref(), BOTH);
         }
-        draw_triangle(self.target, corners.each_ref(), BOTH, false, || fill)
+        match P::Stored::indices(self.target) {
+            Some(target) => draw_triangle(target, corners.each_ref(), BOTH, false, || fill),
+            None => Drawn::NOTHING,
+        }
     }
 }
 

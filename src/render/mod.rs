@@ -6,6 +6,7 @@
 mod actors;
 mod bands;
 mod corner_source;
+mod direct;
 mod draw;
 mod frame;
 mod lines;
@@ -21,6 +22,7 @@ mod viewports;
 mod visible_list;
 
 pub use bands::Bands;
+pub use direct::Direct;
 pub use frame::{palette, render_frame, render_frame_with, render_rows_with};
 pub use paint::{Ids, Paint, PaintActor, PaintLight, PaintTexel, PaintTriangle, Shaded};
 pub use pick::{Picked, pick};

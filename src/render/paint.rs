@@ -1,9 +1,11 @@
 //! What a pixel's index means: the scene's colours, or for picking, measuring
 //! and debugging something else, through the same kernels.
 
+use crate::fog::{self, Haze};
+use crate::frame::{Stored, Target};
 use crate::math::Level;
 use crate::raster::Fill;
-use crate::scene::Dither;
+use crate::scene::{Dither, Scene};
 use crate::shade::{Blend, Pixel, blended, dithered};
 
 /// Whose pixel it is.
@@ -25,27 +27,33 @@ impl Ids {
 
 /// Chooses a triangle's fill.
 pub trait Paint: Copy {
+    /// What a pixel of the band holds.
+    type Stored: Stored;
+
     /// Whether the scene's fog lies over it.
     const FOGGED: bool = false;
 
-    /// `shades` is the material's row of the shade table; `flat` the face's
-    /// level if it has one.
+    /// Of a triangle of palette indices: `shades` is the material's row of the shade table;
+    /// `flat` the face's level if it has one.
     fn fill<'a>(&self, shades: &'a [u8; 256], flat: Option<Level>, ids: Ids) -> Fill<'a>;
 
     /// Of a face that shows the background and hides what is behind it.
     fn hidden<'a>(&self, ids: Ids) -> Fill<'a>;
 
-    /// The index where nothing is drawn, given the scene's.
-    fn background(&self, index: u8) -> u8;
+    /// What is where nothing is drawn, given the scene's index.
+    fn background(&self, index: u8) -> Self::Stored;
 
-    /// The index of a surface's pixel.
-    fn surface(&self, pixel: &Pixel<'_>, ids: Ids) -> u8;
+    /// A surface's pixel.
+    fn surface(&self, pixel: &Pixel<'_>, ids: Ids) -> Self::Stored;
 
-    /// The index of a pixel of a surface through which `behind` shows. Who asks for what
+    /// A pixel of a surface through which `behind` shows. Who asks for what
     /// is there gets what hides the rest: such a surface hides nothing.
-    fn blend(&self, _: &Pixel<'_>, behind: u8, _: &Blend<'_>) -> u8 {
+    fn blend(&self, _: &Pixel<'_>, behind: Self::Stored, _: &Blend<'_>) -> Self::Stored {
         behind
     }
+
+    /// Fogs what was drawn, if [`Paint::FOGGED`].
+    fn fog(&self, _: &mut Target<'_, Self::Stored>, _: &Scene<'_>, _: &Haze) {}
 }
 
 /// The scene as it looks.
@@ -56,6 +64,8 @@ pub struct Shaded {
 }
 
 impl Paint for Shaded {
+    type Stored = u8;
+
     const FOGGED: bool = true;
 
     #[inline(always)]
@@ -86,6 +96,13 @@ impl Paint for Shaded {
     fn blend(&self, pixel: &Pixel<'_>, behind: u8, blend: &Blend<'_>) -> u8 {
         blended(pixel, behind, blend, self.dither)
     }
+
+    #[inline(always)]
+    fn fog(&self, target: &mut Target<'_>, scene: &Scene<'_>, haze: &Haze) {
+        if let Some(table) = scene.fog_table() {
+            fog::apply(target, table, &haze.depths);
+        }
+    }
 }
 
 /// The light itself, 0 where nothing is: the level, or of a material that goes by
@@ -113,6 +130,8 @@ const fn levels() -> [u8; 256] {
 }
 
 impl Paint for PaintLight {
+    type Stored = u8;
+
     fn fill<'a>(&self, _: &'a [u8; 256], flat: Option<Level>, _: Ids) -> Fill<'a> {
         flat.map_or(Fill::Gouraud(LEVELS), Fill::Flat)
     }
@@ -142,6 +161,8 @@ pub struct PaintTexel {
 }
 
 impl Paint for PaintTexel {
+    type Stored = u8;
+
     fn fill<'a>(&self, _: &'a [u8; 256], _: Option<Level>, _: Ids) -> Fill<'a> {
         Fill::Flat(0)
     }
@@ -168,6 +189,8 @@ pub struct PaintActor {
 }
 
 impl Paint for PaintActor {
+    type Stored = u8;
+
     fn fill<'a>(&self, _: &'a [u8; 256], _: Option<Level>, ids: Ids) -> Fill<'a> {
         Fill::Flat(byte_of(u32::from(ids.actor), self.byte))
     }
@@ -194,6 +217,8 @@ pub struct PaintTriangle {
 }
 
 impl Paint for PaintTriangle {
+    type Stored = u8;
+
     fn fill<'a>(&self, _: &'a [u8; 256], _: Option<Level>, ids: Ids) -> Fill<'a> {
         Fill::Flat(byte_of(ids.triangle, self.byte))
     }

@@ -69,7 +69,7 @@ struct At<'a, 's, 'p, 'w, 'b> {
 
 impl At<'_, '_, '_, '_, '_> {
     /// Index and depth of the pixel, if something is there.
-    fn draw<P: Paint>(&mut self, paint: &P) -> Option<(u8, u16)> {
+    fn draw<P: Paint<Stored = u8>>(&mut self, paint: &P) -> Option<(u8, u16)> {
         let mut pixel = Pixel {
             x: self.x.into(),
             shown: None,

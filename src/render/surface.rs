@@ -6,7 +6,7 @@ use super::paint::Paint;
 use super::stats::FrameStats;
 use super::surface_runs::{Others, Runs, Texels, Through, Way};
 use super::triangles::{Done, Draw, Triangle, triangles};
-use crate::frame::Target;
+use crate::frame::{Stored, Target};
 use crate::light::{Parts, Patch, SurfaceLights, sum};
 use crate::math::FineLevel;
 use crate::raster::{Drawn, MOST_ATTRIBUTES, Shade, Sides, SurfaceKind};
@@ -22,7 +22,7 @@ pub(super) fn draw_surface_meshlet<P: Paint>(
     paint: &P,
     part: &Part<'_>,
     done: &mut Done,
-    target: &mut Target<'_>,
+    target: &mut Target<'_, P::Stored>,
     stats: &mut FrameStats,
 ) {
     let view = part.view;
@@ -121,9 +121,9 @@ impl<'a> Through<'a> {
 }
 
 /// What the triangles of such a meshlet have in common.
-struct Surfaces<'a, 't, P> {
+struct Surfaces<'a, 't, P: Paint> {
     paint: &'a P,
-    target: &'a mut Target<'t>,
+    target: &'a mut Target<'t, P::Stored>,
     corners: &'a CornerSource<'a>,
     way: Way<'a>,
     kind: SurfaceKind,
@@ -147,7 +147,10 @@ impl<P: Paint> Draw for Surfaces<'_, '_, P> {
                     .fill(shades, Some(level), part.ids(triangle.number))
             };
             let perspective = part.view.perspective;
-            return draw_triangle(self.target, triangle.corners, self.sides, perspective, fill);
+            let Some(target) = P::Stored::indices(self.target) else {
+                return Drawn::NOTHING;
+            };
+            return draw_triangle(target, triangle.corners, self.sides, perspective, fill);
         }
         let runs = Runs::new(self.paint, self.corners, triangle);
         if let (Way::Texels(shades), Some(sampler), Through::Nothing) =
@@ -166,7 +169,8 @@ impl<P: Paint> Draw for Surfaces<'_, '_, P> {
             sampler,
             through,
         };
-        self.runs::<MOST_ATTRIBUTES>(&others.runs, &others)
+        let (kind, sides) = (self.kind, self.sides);
+        draw_runs::<MOST_ATTRIBUTES, _, _>(self.target, &others.runs, sides, kind, &others)
     }
 }
 
@@ -182,14 +186,25 @@ impl<P: Paint> Surfaces<'_, '_, P> {
             shades,
             sampler,
         };
-        self.runs::<A>(&texels.runs, &texels)
+        match P::Stored::indices(self.target) {
+            Some(target) => {
+                draw_runs::<A, _, _>(target, &texels.runs, self.sides, self.kind, &texels)
+            }
+            None => Drawn::NOTHING,
+        }
     }
+}
 
-    fn runs<const A: usize>(&mut self, runs: &Runs<'_, P>, shade: &impl Shade<A>) -> Drawn {
-        let (corners, sides) = (&mut || runs.corners(), self.sides);
-        let triangle = runs.triangle.corners;
-        draw_surface(self.target, triangle, sides, self.kind, corners, shade)
-    }
+/// Draws a triangle run by run.
+fn draw_runs<const A: usize, C: Stored, P: Paint>(
+    target: &mut Target<'_, C>,
+    runs: &Runs<'_, P>,
+    sides: Sides,
+    kind: SurfaceKind,
+    shade: &impl Shade<A, C>,
+) -> Drawn {
+    let corners = &mut || runs.corners();
+    draw_surface(target, runs.triangle.corners, sides, kind, corners, shade)
 }
 
 /// The material's texture on the mesh.

@@ -6,6 +6,7 @@ use super::corner_source::CornerSource;
 use super::paint::{Ids, Paint};
 use super::triangles::Triangle;
 use crate::fog::Haze;
+use crate::frame::Stored;
 use crate::light::{Parts, sum};
 use crate::math::Depth;
 use crate::raster::{Corner, MOST_ATTRIBUTES, Run, Shade};
@@ -60,11 +61,12 @@ impl<'a, P: Paint> Runs<'a, P> {
     /// Draws a run of texels by level, each wrapped by itself.
     #[cold]
     #[inline(never)]
-    fn path<const A: usize>(
+    fn path<const A: usize, C: Stored>(
         &self,
         shades: &[u8; TEXTURE_SHADES],
         sampler: &Sampler<'_>,
-        run: Run<'_, A>,
+        run: Run<'_, A, C>,
+        store: impl Fn(P::Stored) -> Option<C>,
     ) -> usize {
         let ([left, row], face) = (run.place, self.face.get());
         let (path, count) = sampler.path(&run);
@@ -76,7 +78,7 @@ impl<'a, P: Paint> Runs<'a, P> {
                 place: [left + number, row],
                 texel: at,
             };
-            Some(self.paint.surface(&pixel, self.ids))
+            store(self.paint.surface(&pixel, self.ids))
         });
         count
     }
@@ -93,7 +95,9 @@ impl<const A: usize, P: Paint> Shade<A> for Texels<'_, P> {
     #[inline(always)]
     fn run(&self, run: Run<'_, A>) -> usize {
         let Some((strip, count)) = self.sampler.strip(&run) else {
-            return self.runs.path(self.shades, self.sampler, run);
+            return self
+                .runs
+                .path(self.shades, self.sampler, run, Stored::index);
         };
         let ([left, row], face) = (run.place, self.runs.face.get());
         let (Runs { paint, ids, .. }, shades, places) = (&self.runs, self.shades, strip.places);
@@ -104,7 +108,7 @@ impl<const A: usize, P: Paint> Shade<A> for Texels<'_, P> {
                 place: [left + number, row],
                 texel: places.at_in_fours(number),
             };
-            paint.surface(&pixel, *ids)
+            paint.surface(&pixel, *ids).index().unwrap_or_default()
         });
         count
     }
@@ -118,9 +122,9 @@ pub(super) struct Others<'a, P> {
     pub through: Through<'a>,
 }
 
-impl<P: Paint> Shade<MOST_ATTRIBUTES> for Others<'_, P> {
+impl<P: Paint> Shade<MOST_ATTRIBUTES, P::Stored> for Others<'_, P> {
     #[inline(never)]
-    fn run(&self, mut run: Run<'_, MOST_ATTRIBUTES>) -> usize {
+    fn run(&self, mut run: Run<'_, MOST_ATTRIBUTES, P::Stored>) -> usize {
         match self.through {
             Through::Nothing => self.whole(run),
             Through::Door(door) => door.shade(&mut run, |run| self.whole(run)),
@@ -132,7 +136,7 @@ impl<P: Paint> Shade<MOST_ATTRIBUTES> for Others<'_, P> {
 impl<P: Paint> Others<'_, P> {
     /// Draws a run of pixels.
     #[inline(never)]
-    fn whole(&self, run: Run<'_, MOST_ATTRIBUTES>) -> usize {
+    fn whole(&self, run: Run<'_, MOST_ATTRIBUTES, P::Stored>) -> usize {
         let ([left, row], face) = (run.place, self.runs.face.get());
         let pixels = run.indices.len();
         let Runs {
@@ -152,7 +156,7 @@ impl<P: Paint> Others<'_, P> {
             Some(paint.surface(&pixel, ids))
         };
         match (self.sampler, self.way) {
-            (Some(sampler), Way::Texels(shades)) => self.runs.path(shades, sampler, run),
+            (Some(sampler), Way::Texels(shades)) => self.runs.path(shades, sampler, run, Some),
             (Some(sampler), Way::Colours(colours)) => {
                 let (path, count) = sampler.path(&run);
                 run.cut(count)
@@ -188,7 +192,7 @@ impl<P: Paint> Others<'_, P> {
         &self,
         blend: &Blend<'_>,
         haze: Option<&Haze>,
-        run: Run<'_, MOST_ATTRIBUTES>,
+        run: Run<'_, MOST_ATTRIBUTES, P::Stored>,
     ) -> usize {
         let pixels = run.indices.len();
         // Blended materials go by colour.

@@ -3,7 +3,6 @@
 
 use super::actors::Actors;
 use super::paint::Paint;
-use crate::fog;
 use crate::frame::Target;
 use crate::scene::Scene;
 
@@ -22,7 +21,7 @@ impl<'a, P: Paint> Viewports<'a, P> {
     pub(super) fn new(
         paint: &'a P,
         scene: &'a Scene<'a>,
-        target: &mut Target<'_>,
+        target: &mut Target<'_, P::Stored>,
         height: u16,
     ) -> Self {
         if !scene.is_filled(target.width) {
@@ -37,7 +36,12 @@ impl<'a, P: Paint> Viewports<'a, P> {
     }
 
     /// Goes on to viewport `number`; one past the last ends the band.
-    pub(super) fn reach(&mut self, number: u16, actors: &mut Actors<'_>, target: &mut Target<'_>) {
+    pub(super) fn reach(
+        &mut self,
+        number: u16,
+        actors: &mut Actors<'_>,
+        target: &mut Target<'_, P::Stored>,
+    ) {
         while self.next <= number {
             if let Some(before) = self.next.checked_sub(1) {
                 self.fog(before, actors, target);
@@ -52,19 +56,23 @@ impl<'a, P: Paint> Viewports<'a, P> {
 
     /// Fog over a viewport's pixels, once: before the first of its blended surfaces, which
     /// bring their own, or at its end.
-    pub(super) fn fog(&mut self, viewport: u16, actors: &mut Actors<'_>, target: &mut Target<'_>) {
-        if !(cfg!(feature = "fog") && P::FOGGED) || self.fogged {
+    pub(super) fn fog(
+        &mut self,
+        viewport: u16,
+        actors: &mut Actors<'_>,
+        target: &mut Target<'_, P::Stored>,
+    ) {
+        if self.fogged {
             return;
         }
         self.fogged = true;
-        if let (Some(fog), Some(table)) = (self.scene.fog(), self.scene.fog_table()) {
+        if let Some(haze) = actors.haze::<P>(viewport) {
             let rect = actors.viewport(viewport).rect;
-            let depths = actors.fog(viewport, &fog);
-            fog::apply(&mut target.part(&rect), table, depths);
+            self.paint.fog(&mut target.part(&rect), self.scene, &haze);
         }
     }
 
-    fn begin(&self, actors: &mut Actors<'_>, target: &mut Target<'_>) {
+    fn begin(&self, actors: &mut Actors<'_>, target: &mut Target<'_, P::Stored>) {
         let viewport = self.next;
         let rect = actors.viewport(viewport).rect;
         let background = self.scene.viewport_background(viewport);

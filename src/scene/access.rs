@@ -62,6 +62,12 @@ impl<'a> Scene<'a> {
         self.palette
     }
 
+    /// Whether it is baked for bands without a palette: all materials go by colour, and
+    /// the palette has the backgrounds' colours alone.
+    pub fn is_direct(&self) -> bool {
+        self.header.direct
+    }
+
     /// Palette index of the background in screen row `y` of `height`.
     pub fn background(&self, y: u16, height: u16) -> u8 {
         Gradient(self.background).at(y, height)

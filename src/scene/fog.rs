@@ -67,7 +67,7 @@ impl<'a> Scene<'a> {
     }
 
     /// What each palette index becomes, from no fog to nothing but fog; there if
-    /// [`Scene::fog`] is.
+    /// [`Scene::fog`] is and there is a palette ([`Scene::is_direct`]).
     pub fn fog_table(&self) -> Option<&'a [[u8; 256]; FOG_ROWS]> {
         self.fog_table.first_chunk()
     }
@@ -78,7 +78,7 @@ impl Scene<'_> {
     pub(super) fn check_fog(&self) -> Result<(), SceneError> {
         let fogs = self.fog.len();
         count(Section::Fog, fogs, 0, 1)?;
-        let rows = fogs * FOG_ROWS;
+        let rows = if self.is_direct() { 0 } else { fogs * FOG_ROWS };
         count(Section::FogTable, self.fog_table.len(), rows, rows)?;
         let Some(fog) = self.fog() else {
             return Ok(());

@@ -33,6 +33,8 @@ pub struct Header {
     pub dither_pattern: u8,
     /// See [`Dither::spread`](super::Dither::spread).
     pub dither_spread: u16,
+    /// See [`Scene::is_direct`](super::Scene::is_direct).
+    pub direct: bool,
     /// Palette entries that go round: the first, and how many; 0: none.
     pub cycle: (u16, u16),
     /// Frames in which they go round once, at least 1 if there are any.
@@ -77,6 +79,7 @@ impl Record for Header {
             frames: u(*frames),
             dither_pattern: u(*dither) as u8,
             dither_spread: (u(*dither) >> 16) as u16,
+            direct: u(*dither) >> 8 & 1 != 0,
             cycle: (u(*cycle) as u16, (u(*cycle) >> 16) as u16),
             cycle_frames: u(*cycle_frames),
             camera: CameraRecord::from_words(camera),
@@ -89,7 +92,9 @@ impl Record for Header {
         let format = [self.colour_format, world, centre, self.panel_dithering];
         let (first, count) = self.cycle;
         let cycle = u32::from(first) | u32::from(count) << 16;
-        let dither = u32::from(self.dither_pattern) | u32::from(self.dither_spread) << 16;
+        let dither = u32::from(self.dither_pattern)
+            | u32::from(self.direct) << 8
+            | u32::from(self.dither_spread) << 16;
         let [c0, c1, c2] = self.world_centre.map(w);
         let own = [
             layout::MAGIC.to_le(),

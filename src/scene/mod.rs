@@ -46,7 +46,7 @@ pub mod layout {
     /// `FXL1`.
     pub const MAGIC: u32 = u32::from_le_bytes(*b"FXL1");
     /// Version of the layout. A reader refuses any other.
-    pub const VERSION: u32 = 4;
+    pub const VERSION: u32 = 5;
     /// Words of the header, before the section table.
     pub const HEADER_WORDS: usize = 27;
     /// Sections; each has two words in the table: byte offset and count.

@@ -120,7 +120,10 @@ impl Scene<'_> {
             if material.coloured {
                 let (full, colours) = (material.full.into(), self.colours.len() as i64);
                 range(s, i, Field::Coloured, full, 1, 1)?;
-                range(s, i, Field::Coloured, colours, 1, 1)?;
+                let needed = i64::from(!self.is_direct());
+                range(s, i, Field::Coloured, colours, needed, 1)?;
+            } else if self.is_direct() {
+                range(s, i, Field::Coloured, 0, 1, 1)?;
             }
         }
         Ok(())

@@ -42,9 +42,9 @@ pub fn dithered(pixel: &Pixel<'_>, dither: Dither) -> u8 {
 }
 
 impl Dither {
-    /// What is added to a channel at a screen column and row.
+    /// What is added to a channel at a screen column and row, in 1/64 of a level.
     #[inline(always)]
-    fn offset(self, [column, row]: [i32; 2]) -> i32 {
+    pub fn offset(self, [column, row]: [i32; 2]) -> i32 {
         let threshold = match self.pattern {
             DitherPattern::None => return 0,
             DitherPattern::Bayer4 => bayer4([column, row]) << 2 | 2,

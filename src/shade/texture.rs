@@ -159,7 +159,7 @@ impl<'a> Sampler<'a> {
 
     /// The way of a run, whose first two attributes are texture coordinates, and how many
     /// of its pixels show one copy of the picture.
-    pub fn path<const A: usize>(&self, run: &Run<'_, A>) -> (Path<'a>, usize) {
+    pub fn path<const A: usize, C>(&self, run: &Run<'_, A, C>) -> (Path<'a>, usize) {
         let places = self.places(run);
         let (copy, count) = self.copy(run, &places);
         let ([w, h], [cw, ch]) = (self.texture.size, copy.size);
@@ -173,7 +173,7 @@ impl<'a> Sampler<'a> {
 
     /// The places of a run's pixels.
     #[inline(always)]
-    pub(super) fn places<const A: usize>(&self, run: &Run<'_, A>) -> Places {
+    pub(super) fn places<const A: usize, C>(&self, run: &Run<'_, A, C>) -> Places {
         let [from, step, bend] = [run.from, run.step, run.bend].map(coordinates);
         let [x, y] = self.origin;
         let first = match self.texture.wrap {
@@ -254,9 +254,9 @@ impl<'a> Sampler<'a> {
     /// of the run show it: number `floor(log2(r) + 1/2)`, with r the most texels that a
     /// pixel goes along one axis of picture and screen.
     #[inline(always)]
-    pub(super) fn copy<const A: usize>(
+    pub(super) fn copy<const A: usize, C>(
         &self,
-        run: &Run<'_, A>,
+        run: &Run<'_, A, C>,
         places: &Places,
     ) -> (&Copied<'a>, usize) {
         let pixels = run.indices.len();

@@ -1,6 +1,7 @@
 //! Surfaces that let what is behind them show through.
 
 use super::lookup::{Lookup, Pixel, dithered};
+use crate::light::Lit;
 use crate::math::{Depth, bayer8};
 use crate::raster::{LONGEST_RUN, Run};
 use crate::scene::Dither;
@@ -25,10 +26,10 @@ impl ScreenDoor {
     /// Shades the pixels of a run that are the surface's. For as long as it takes, the
     /// others are as near as can be, so that no kernel draws them and none knows of
     /// patterns.
-    pub fn shade<const A: usize>(
+    pub fn shade<const A: usize, C: Copy>(
         self,
-        run: &mut Run<'_, A>,
-        shade: impl FnOnce(Run<'_, A>) -> usize,
+        run: &mut Run<'_, A, C>,
+        shade: impl FnOnce(Run<'_, A, C>) -> usize,
     ) -> usize {
         const NEAREST: Depth = Depth::MAX;
         let mut kept = [0; LONGEST_RUN];
@@ -56,6 +57,21 @@ pub struct Blend<'a> {
     pub palette: &'a [[u8; 3]],
 }
 
+impl Blend<'_> {
+    /// The light of a surface with `own` through which `behind` shows.
+    #[inline(always)]
+    pub fn over(&self, own: Lit, behind: Lit) -> Lit {
+        let opacity = u32::from(self.opacity);
+        let rest = 256 - opacity.min(256);
+        let mut lit = own;
+        for (c, behind) in lit.iter_mut().zip(behind) {
+            let mixed = u32::from(*c) * opacity + u32::from(behind) * rest;
+            *c = ((mixed + (1 << 7)) >> 8) as u16;
+        }
+        lit
+    }
+}
+
 /// The index of a pixel of a surface through which the index `behind` shows. Of levels,
 /// which have no colours to mix, none does.
 #[inline(always)]
@@ -65,14 +81,6 @@ pub fn blended(pixel: &Pixel<'_>, behind: u8, blend: &Blend<'_>, dither: Dither)
     };
     let colour = blend.palette.get(usize::from(behind));
     let colour = colour.copied().unwrap_or_default();
-    let (own, other) = (
-        u32::from(blend.opacity),
-        256 - u32::from(blend.opacity).min(256),
-    );
-    let mut lit = pixel.lit;
-    for (c, behind) in lit.iter_mut().zip(colour) {
-        let mixed = u32::from(*c) * own + (u32::from(behind) << 6) * other;
-        *c = ((mixed + (1 << 7)) >> 8) as u16;
-    }
+    let lit = blend.over(pixel.lit, colour.map(|c| u16::from(c) << 6));
     dithered(&Pixel { lit, ..*pixel }, dither)
 }

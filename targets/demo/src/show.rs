@@ -13,6 +13,8 @@ pub enum DemoError<E> {
     Scene(SceneError),
     /// The scene's pixels are samples, which the demo does not average.
     Samples,
+    /// The scene is baked for bands without a palette.
+    Direct,
     /// The memory does not hold a row of the panel.
     Memory,
     /// The panel failed.
@@ -25,6 +27,7 @@ impl<E> DemoError<E> {
         match self {
             Self::Scene(_) => "the blob is not a scene that this firmware knows",
             Self::Samples => "the scene is anti-aliased or an anaglyph",
+            Self::Direct => "the scene is baked without a palette",
             Self::Memory => "a row does not fit the memory",
             Self::Panel(_) => "the panel failed",
         }
@@ -49,11 +52,14 @@ impl<'a> Demo<'a> {
     /// rows, whatever the scene's own.
     ///
     /// # Errors
-    /// If the blob is not a scene, or one of several samples a pixel.
+    /// If the blob is not a scene, one of several samples a pixel, or without a palette.
     pub fn new<E>(blob: &'a [u8], (width, height): (u16, u16)) -> Result<Self, DemoError<E>> {
         let scene = Scene::parse(blob).map_err(DemoError::Scene)?;
         if scene.output().is_resolved() {
             return Err(DemoError::Samples);
+        }
+        if scene.is_direct() {
+            return Err(DemoError::Direct);
         }
         Ok(Self {
             scene,

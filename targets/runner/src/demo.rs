@@ -53,6 +53,7 @@ pub fn draw(
     // Used where it is: it is half a kilobyte.
     match &engine::parse(blob) {
         Ok(scene) if scene.output().is_resolved() => Err(EngineError::Samples),
+        Ok(scene) if scene.is_direct() => Err(EngineError::Direct),
         Ok(scene) => show(scene, frame, memory, send),
         Err(error) => Err(EngineError::Scene(*error)),
     }

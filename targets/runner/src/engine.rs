@@ -5,6 +5,12 @@ use core::convert::Infallible;
 
 use fixel::frame::BandRows;
 use fixel::palette::{Palette, Rgb565Table};
+<<<<<<< HEAD
+=======
+#[cfg(feature = "triangles")]
+use fixel::render::Bands;
+use fixel::render::Workspace;
+>>>>>>> 3945a01 (Bands without a palette: 16-bit colours as they are lit, by the kernels there are)
 use fixel::{Band, Display, Scene, SceneError};
 
 /// Why a frame could not be rendered.
@@ -16,8 +22,13 @@ pub enum EngineError {
     Memory,
     /// The frame's pixels are samples, and the program shows only whole pixels.
     Samples,
+<<<<<<< HEAD
     /// The scene is not baked for rays, and the program has nothing else.
     Triangles,
+=======
+    /// The scene is baked for bands without a palette, and the program has none such.
+    Direct,
+>>>>>>> 3945a01 (Bands without a palette: 16-bit colours as they are lit, by the kernels there are)
 }
 
 impl EngineError {
@@ -27,7 +38,11 @@ impl EngineError {
             Self::Scene(_) => "the blob is not a scene",
             Self::Memory => "a row does not fit the memory given",
             Self::Samples => "the scene is anti-aliased or an anaglyph",
+<<<<<<< HEAD
             Self::Triangles => "the scene is not baked for rays",
+=======
+            Self::Direct => "the scene is baked without a palette",
+>>>>>>> 3945a01 (Bands without a palette: 16-bit colours as they are lit, by the kernels there are)
         }
     }
 }
@@ -172,4 +187,30 @@ pub fn render(
         let Ok(_) = fixel::render_frame(scene, &pose, work, &mut band, &mut sink);
         Ok(())
     }
+}
+
+/// The same of a scene that is baked without a palette: `colours` and `depth` are a band's
+/// pixels.
+#[cfg(feature = "triangles")]
+pub fn render_direct(
+    scene: &Scene<'_>,
+    frame: u32,
+    band_rows: usize,
+    (colours, depth): (&mut [u16], &mut [u16]),
+    mut work: Workspace<'_>,
+    mut take: impl FnMut(BandRows<'_, u16>),
+) -> Result<(), EngineError> {
+    let width = scene.frame_width();
+    let pixels = usize::from(width).saturating_mul(band_rows);
+    let least = pixels.min(colours.len()).min(depth.len());
+    let colours = colours.get_mut(..least).unwrap_or_default();
+    let depth = depth.get_mut(..least).unwrap_or_default();
+    let mut band = Band::new(width, colours, depth).map_err(|_| EngineError::Memory)?;
+    let (pose, dither) = (scene.pose(frame), scene.dither());
+    let bands = Bands::direct(scene, &pose, dither, &mut work, &mut band);
+    let mut bands = bands.ok_or(EngineError::Direct)?;
+    while let Some(rows) = bands.next() {
+        take(rows);
+    }
+    Ok(())
 }

@@ -9,7 +9,11 @@ use core::convert::Infallible;
 use fixel::display::{Resolve, Rgb565Rows};
 use fixel::frame::BandRows;
 use fixel::palette::Rgb565Table;
+<<<<<<< HEAD
 use fixel::Display;
+=======
+use fixel::{Display, Scene, Scratch};
+>>>>>>> 3945a01 (Bands without a palette: 16-bit colours as they are lit, by the kernels there are)
 
 use crate::demo::WIDTH;
 use crate::engine::{self, Buffers, EngineError, Scratch};
@@ -170,16 +174,20 @@ struct Digest {
 impl Digest {
     fn band(&mut self, band: BandRows<'_>, panel: &[u8]) {
         self.index.bytes(band.indices);
-        self.depth.words(band.depths);
+        self.depths(band.depths, panel);
+    }
+
+    fn depths(&mut self, depths: &[u16], panel: &[u8]) {
+        self.depth.words(depths);
         self.panel.bytes(panel);
-        self.covered += band.depths.iter().filter(|&&depth| depth != 0).count() as u64;
+        self.covered += depths.iter().filter(|&&depth| depth != 0).count() as u64;
     }
 }
 
 /// Renders the job's frames and prints a line for each: `frame`, `width`,
 /// `height`, `covered` pixels, `count` (instructions for the frame up to the
-/// bytes that a panel takes; hashing is not in it), and the hashes `index`,
-/// `depth` and `panel`.
+/// bytes that a panel takes; hashing is not in it), and the hashes `index` (of nothing in a
+/// scene without a palette), `depth` and `panel`.
 pub fn measure<
     P: Platform,
     const PIXELS: usize,
@@ -200,6 +208,22 @@ pub fn measure<
     for frame in job.from..job.to {
         let mut digest = Digest::default();
         let mut watch = Stopwatch::new(platform);
+        #[cfg(feature = "triangles")]
+        if scene.is_direct() {
+            let band = (&mut memory.panel[..], &mut memory.depth[..]);
+            let (rows, work) = (job.band_rows, memory.scratch.workspace());
+            watch.start(platform);
+            engine::render_direct(black_box(&scene), frame, rows, band, work, |rows| {
+                watch.stop(platform);
+                let bytes = bytemuck::cast_slice(rows.indices);
+                digest.depths(rows.depths, bytes);
+                platform.show(bytes);
+                watch.start(platform);
+            })?;
+            watch.stop(platform);
+            line(platform, &scene, frame, &digest, watch.total);
+            continue;
+        }
         let panel = Panel {
             pixels: &mut memory.panel,
             count: 0,
@@ -238,18 +262,23 @@ pub fn measure<
             },
         )?;
         watch.stop(platform);
-        Line::new()
-            .small("frame", frame)
-            .small("width", scene.width().into())
-            .small("height", scene.height().into())
-            .number("covered", digest.covered)
-            .number("count", watch.total)
-            .hex("index", digest.index.value())
-            .hex("depth", digest.depth.value())
-            .hex("panel", digest.panel.value())
-            .end(|text| platform.print(text));
+        line(platform, &scene, frame, &digest, watch.total);
     }
     Ok(())
+}
+
+/// Prints a frame's line.
+fn line<P: Platform>(platform: &mut P, scene: &Scene<'_>, frame: u32, digest: &Digest, count: u64) {
+    Line::new()
+        .small("frame", frame)
+        .small("width", scene.width().into())
+        .small("height", scene.height().into())
+        .number("covered", digest.covered)
+        .number("count", count)
+        .hex("index", digest.index.value())
+        .hex("depth", digest.depth.value())
+        .hex("panel", digest.panel.value())
+        .end(|text| platform.print(text));
 }
 
 #[cfg(test)]

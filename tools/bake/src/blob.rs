@@ -10,7 +10,7 @@ use crate::instance::instances;
 use crate::light::{light, material};
 use crate::look::looks;
 use crate::mesh::{Parts, Source, Sources};
-use crate::palette::{Sample, tables};
+use crate::palette::{Sample, direct, needs_palette, tables};
 use crate::placement::placed;
 use crate::ray::{Rays, mixes, seen};
 use crate::records::{Instances, actors, header};
@@ -119,7 +119,13 @@ fn bake_with(scene: &Scene, rays: Option<&[Sample]>) -> Result<Baked, BakeError>
     let units = Units::new(scene);
     let textures = textures(scene);
     let texturing = Texturing::new(&textures.textures)?;
+    if scene.palette.direct
+        && let Some(what) = needs_palette(scene, rays.is_some())
+    {
+        return Err(Problem::NotYet { what: what.into() }.into());
+    }
     let tables = match rays {
+        _ if scene.palette.direct => direct(scene),
         Some(seen) => tables(scene, &textures.bases, mixes(scene), seen),
         None => tables(scene, &textures.bases, false, &[]),
     };

@@ -41,6 +41,7 @@ pub(crate) fn header(scene: &Scene, units: &Units, spread: f64) -> Result<Header
             Dithering::Bayer4 => core_scene::DitherPattern::Bayer4,
             Dithering::Bayer8 => core_scene::DitherPattern::Bayer8,
         } as u8,
+        direct: scene.palette.direct,
         dither_spread: (spread * 255.0 * 64.0).round() as u16,
         cycle: cycle.map_or((0, 0), |c| (c.first as u16, (c.last - c.first + 1) as u16)),
         cycle_frames: cycle.map_or(0, |c| c.frames),

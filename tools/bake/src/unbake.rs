@@ -85,10 +85,17 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
         animation: motion::animation(blob, &places),
         ray: Ray::default(),
         source: Source::default(),
-        palette: Palette {
-            colours: blob.palette().len() as u32,
-            fixed: blob.palette().to_vec(),
-            ..Palette::default()
+        palette: if blob.is_direct() {
+            Palette {
+                direct: true,
+                ..Palette::default()
+            }
+        } else {
+            Palette {
+                colours: blob.palette().len() as u32,
+                fixed: blob.palette().to_vec(),
+                ..Palette::default()
+            }
         },
     }
 }

@@ -64,6 +64,7 @@ pub fn describe(bytes: &[u8]) -> Result<Map<String, Value>> {
             "colour",
             json!(format!("{:?}", scene.colour_format()).to_lowercase()),
         ),
+        ("direct", json!(scene.is_direct())),
         ("palette_colours", json!(scene.palette().len())),
         ("projection", json!(projection)),
         ("world_exponent", json!(scene.world_exponent())),

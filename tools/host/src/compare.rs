@@ -2,13 +2,14 @@
 
 use fixel::Scene;
 use fixel::render::Ids;
-use fixel::scene::Material;
 use fixel::scene::layout::BASES;
+use fixel::scene::{Dither, Material};
 use fixel_bake::Baked;
 use fixel_reference::{Frame, Lookup, NO_TRIANGLE, Path};
 
 use crate::Planes;
 use crate::colour::{before_dithering, pixels};
+use crate::direct::direct;
 use crate::planes::{self, Options};
 
 /// Renders every plane of a baked scene.
@@ -40,7 +41,12 @@ pub fn frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame, Pla
             .map(|(id, there)| if *there { source(id) } else { NO_TRIANGLE })
             .collect(),
         light: planes::light(scene, options),
-        rgb: pixels(&before_dithering(scene, options.frame), &index),
+        rgb: if scene.is_direct() {
+            let rows = options.band_rows.unwrap_or(drawn.size.1);
+            direct(scene, drawn.size, rows, options.frame, Dither::NONE)
+        } else {
+            pixels(&before_dithering(scene, options.frame), &index)
+        },
         index,
         depth: drawn.depth.clone(),
         texture_place: planes::texture_place(scene, options),
@@ -68,6 +74,7 @@ pub(crate) fn lookup(scene: &Scene<'_>, options: &Options, size: (u16, u16)) -> 
     };
     Lookup {
         paths: (0..scene.material_count()).map(path).collect(),
+        direct: scene.is_direct(),
         colours: if coloured {
             scene.colours().to_vec()
         } else {

@@ -7,6 +7,7 @@
 
 mod colour;
 mod compare;
+mod direct;
 mod panel;
 mod picture;
 mod planes;
@@ -14,6 +15,7 @@ mod rays;
 
 pub use colour::{colours, shown};
 pub use compare::frame;
+pub use direct::direct;
 pub use panel::is_dithered;
 pub use picture::picture;
 pub use planes::{Options, Planes, pick, render, render_turned};

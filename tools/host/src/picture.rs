@@ -9,6 +9,7 @@ use fixel::scene::{ColourFormat, Stereo};
 
 use crate::Planes;
 use crate::colour::{colours, pixels, shown, widened};
+use crate::direct::direct;
 use crate::panel::{dithered, is_dithered};
 
 /// The pixels of a frame's picture as the panel shows them, and its size.
@@ -19,6 +20,13 @@ pub fn picture(scene: &Scene<'_>, planes: &Planes) -> (Vec<[u8; 3]>, (u16, u16))
     let pose = scene.pose(planes.frame);
     let palette = fixel::render::palette(scene, &pose);
     let colour = |index: u8| palette.rgb888(index);
+    if scene.is_direct() {
+        let (rows, frame) = (planes.size.1, planes.frame);
+        return (
+            direct(scene, planes.size, rows, frame, scene.dither()),
+            size,
+        );
+    }
     if !output.is_resolved() {
         if is_dithered(scene) {
             let colours = planes.index.iter().map(|index| colour(*index));

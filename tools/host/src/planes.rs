@@ -55,7 +55,7 @@ pub struct Planes {
 }
 
 /// Meshlets, kept meshlets and actors: the host has the memory.
-type HostScratch = Scratch<4096, 256, 64>;
+pub(crate) type HostScratch = Scratch<4096, 256, 64>;
 
 pub(crate) struct Collector(Planes);
 
@@ -165,7 +165,7 @@ pub fn pick(scene: &Scene<'_>, options: &Options, x: u16, y: u16) -> Option<Pick
     fixel::render::pick(scene, &pose, &mut scratch.workspace(), &mut band, x, y)
 }
 
-fn paint<P: Paint>(paint: &P, scene: &Scene<'_>, options: &Options) -> Planes {
+fn paint<P: Paint<Stored = u8>>(paint: &P, scene: &Scene<'_>, options: &Options) -> Planes {
     let mut scratch = Box::new(HostScratch::new());
     collected(scene, options, |pose, band, collector| {
         let work = &mut scratch.workspace();

@@ -36,6 +36,7 @@ pub fn ray_frame(baked: &Baked, scene: &Scene<'_>, options: &Options) -> (Frame,
         *seen = seen.filter(|_| *depth != 0);
     }
     let lookup = Lookup {
+        direct: false,
         // What is watched is without.
         fog: Vec::new(),
         ..lookup(scene, options, drawn.size)

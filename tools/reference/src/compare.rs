@@ -27,6 +27,7 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
     let mut same = vec![false; truth.pixels.len()];
     let lights = frame.lookup.lights();
     let through_palette = frame.lookup.indices(truth);
+    let same_way = frame.lookup.shown(truth, &through_palette);
     for (i, reference_index) in through_palette.iter().enumerate() {
         let seen = Pixel::of(truth, frame, i);
         if seen != Pixel::Nothing {
@@ -69,10 +70,7 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
     let (mut quantised, mut all, mut covered) = (Psnr::default(), Psnr::default(), Psnr::default());
     for (i, colour) in truth.colours().enumerate().filter(|(i, _)| !doubtful[*i]) {
         let shown = frame.rgb[i].map(f64::from);
-        quantised.add(
-            shown,
-            frame.lookup.palette[usize::from(through_palette[i])].map(f64::from),
-        );
+        quantised.add(shown, same_way[i].map(f64::from));
         let colour = colour.map(|c| 255.0 * c);
         all.add(shown, colour);
         if truth.pixels[i].is_some() {

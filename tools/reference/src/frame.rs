@@ -90,6 +90,9 @@ impl Path {
 pub struct Lookup {
     /// The colours, at most 256, as the panel shows them, 8 bits a channel.
     pub palette: Vec<[u8; 3]>,
+    /// There is no palette: colours are rounded to 5, 6 and 5 bits, and indices mean
+    /// nothing.
+    pub direct: bool,
     /// For each material of the scene, its way.
     pub paths: Vec<Path>,
     /// The palette index of each colour of 4 bits a channel: [`COLOURS`] of them,
@@ -256,6 +259,18 @@ impl Frame {
 }
 
 impl Lookup {
+    /// The truth's colours as the renderer's way leads to them, without dithering: through
+    /// its palette, whose `indices` are given, or, without one, rounded to 16 bits.
+    pub(crate) fn shown(&self, truth: &Truth, indices: &[u8]) -> Vec<[u8; 3]> {
+        if !self.direct {
+            let colour = |index: &u8| self.palette[usize::from(*index)];
+            return indices.iter().map(colour).collect();
+        }
+        let rounded = |c: f64, most: f64| ((c * most).round() / most * 255.0).round() as u8;
+        let colour = |[r, g, b]: Rgb| [rounded(r, 31.0), rounded(g, 63.0), rounded(b, 31.0)];
+        truth.colours().map(colour).collect()
+    }
+
     /// The palette index of every pixel of the truth, without dithering.
     pub(crate) fn indices(&self, truth: &Truth) -> Vec<u8> {
         let bases: Vec<Nearest> = self.paths.iter().map(Nearest::of).collect();

@@ -12,6 +12,7 @@ use fixel_scene::Shading;
 /// 256 greys for a square picture; the background is colour 0.
 fn greys(side: u32) -> Lookup {
     Lookup {
+        direct: false,
         palette: (0..=255).map(|v| [v; 3]).collect(),
         paths: vec![Path::Level(Box::new(std::array::from_fn(|level| {
             level as u8
@@ -31,6 +32,7 @@ fn by_colour(pixels: usize) -> Lookup {
         (part(8, 3) << 3 | part(4, 3) << 1 | part(0, 1)) as u8
     };
     Lookup {
+        direct: false,
         palette: (0..32).map(|i| colour(i).map(|c| c as u8)).collect(),
         paths: vec![Path::Colour],
         colours: (0..COLOURS).map(nearest).collect(),

@@ -324,6 +324,7 @@ fn wrong_shadows_are_counted() {
     let scene = shadowed(4);
     let truth = rays(&scene);
     let lookup = Lookup {
+        direct: false,
         palette: vec![[0; 3]],
         paths: vec![Path::Colour],
         colours: vec![0; fixel_reference::COLOURS],

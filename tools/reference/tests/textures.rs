@@ -275,6 +275,7 @@ fn a_frame_is_held_against_the_bases_and_their_shades() {
     let mut shade = vec![0; 512];
     shade[2 * 128..2 * 128 + 2].copy_from_slice(&[2, 3]);
     let lookup = Lookup {
+        direct: false,
         palette: vec![[0; 3], [1; 3], [0, 50, 128], [125, 3, 3]],
         paths: vec![Path::Textured {
             bases: vec![[0, 100, 255], [255, 0, 0]],

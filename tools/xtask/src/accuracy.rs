@@ -24,6 +24,9 @@ const SAME_PALETTE_DB: f64 = 40.0;
 /// Least PSNR of a scene of one material against the unquantised truth, on a
 /// display with 8 bits a channel: 16-bit colour alone costs all but 42 dB.
 const PSNR_DB: f64 = 45.0;
+/// Least PSNR of a scene without a palette against the unquantised truth, at 16 bits: the
+/// rounding to them costs all but 42 dB, and what is mixed is rounded twice.
+const DIRECT_DB: f64 = 40.0;
 
 /// Of the ray caster: most pixels that show another surface, as a share of the picture,
 /// and always one pixel.
@@ -55,6 +58,8 @@ struct Compared {
     /// The PSNR that is held to a limit, if it is.
     rgb888_psnr_db: f64,
     one_material: bool,
+    /// Colours are as they are lit, but for what 16 bits leave of them.
+    without_palette: bool,
 }
 
 /// Compares every scene in `scenes/`, `scenes/bench/` and `scenes/ray/`, frame 0, at its own
@@ -92,7 +97,8 @@ pub fn run(tally: &mut Tally) -> Result<Value> {
 /// `None`: the renderer draws nothing of the scene.
 fn compare(file: &Path, renderer: Renderer) -> Result<Option<Compared>> {
     let mut scene = fixel_scene::load(file).map_err(|error| error.to_string())?;
-    if renderer == Renderer::Ray && !has_surfaces(&scene) {
+    let without_palette = scene.palette.direct;
+    if renderer == Renderer::Ray && (without_palette || !has_surfaces(&scene)) {
         return Ok(None);
     }
     let in_file = |problem: Problem| match problem {
@@ -100,12 +106,18 @@ fn compare(file: &Path, renderer: Renderer) -> Result<Option<Compared>> {
         Problem::Failed(text) => Problem::Failed(format!("{}: {text}", file.display())),
     };
     let report = report(&scene, renderer).map_err(in_file)?;
-    scene.display.colour = ColourFormat::Rgb888;
-    let rgb888 = self::report(&scene, renderer).map_err(in_file)?;
+    let mut rgb888_psnr_db = report.rgb_psnr_true_db;
+    if !without_palette {
+        scene.display.colour = ColourFormat::Rgb888;
+        rgb888_psnr_db = self::report(&scene, renderer)
+            .map_err(in_file)?
+            .rgb_psnr_true_db;
+    }
     Ok(Some(Compared {
+        one_material: scene.materials.len() == 1 && !without_palette,
+        without_palette,
         report,
-        rgb888_psnr_db: rgb888.rgb_psnr_true_db,
-        one_material: scene.materials.len() == 1,
+        rgb888_psnr_db,
     }))
 }
 
@@ -237,6 +249,10 @@ fn limits(compared: &Compared) -> Result<()> {
     if compared.one_material && compared.rgb888_psnr_db < PSNR_DB {
         broken.push(format!("colour at {:.1} dB only", compared.rgb888_psnr_db));
     }
+    let true_db = report.rgb_psnr_true_db;
+    if compared.without_palette && true_db < DIRECT_DB {
+        broken.push(format!("colour without a palette at {true_db:.1} dB only"));
+    }
     if broken.is_empty() {
         Ok(())
     } else {
@@ -321,6 +337,7 @@ mod tests {
             report: serde_json::from_value(report).expect("every field is there"),
             rgb888_psnr_db: psnr,
             one_material: true,
+            without_palette: false,
         }
     }
 
@@ -364,6 +381,15 @@ mod tests {
         assert!(holds(
             |r| (r.level_within_2_percent, r.rgb_psnr_db) = (99.0, 40.0)
         ));
+        let direct = |db| {
+            let compared = Compared {
+                without_palette: true,
+                one_material: false,
+                ..compared(0, 99.9, db)
+            };
+            limits(&compared).is_ok()
+        };
+        assert!(direct(40.0) && !direct(39.9));
         assert!(!holds(|r| r.level_within_2_percent = 98.9));
         assert!(!holds(|r| r.rgb_psnr_db = 39.9));
     }

@@ -12,6 +12,7 @@
 //! In: the description. Out: [`Tables`], for the blob.
 
 mod choose;
+mod direct;
 mod light;
 mod nearest;
 mod ramp;
@@ -26,6 +27,7 @@ use fixel_scene::{Background, Fog, Light, LightKind, Material, Rgb, Scene, Viewp
 
 use crate::fog::fogged_row;
 pub(crate) use choose::{Sample, choose};
+pub(crate) use direct::{direct, needs_palette};
 use fixel::scene::layout::FOG_ROWS;
 use nearest::{Nearest, lookup};
 use ramp::{Ramp, asked_for, deal};

@@ -17,6 +17,8 @@ pub struct Palette {
     pub ramps: Vec<Ramp>,
     /// Of what goes by colour; what goes by light level is never dithered.
     pub dithering: Dithering,
+    /// None: a band holds colours of 16 bits, as they are lit. Default: off.
+    pub direct: bool,
 }
 
 impl Default for Palette {
@@ -26,6 +28,7 @@ impl Default for Palette {
             fixed: Vec::new(),
             ramps: Vec::new(),
             dithering: Dithering::default(),
+            direct: false,
         }
     }
 }

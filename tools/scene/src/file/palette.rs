@@ -9,7 +9,7 @@ use crate::description::{Dithering, Palette, Ramp};
 use crate::error::Error;
 
 pub(super) const PALETTE: Keys = Keys {
-    known: &["colours", "file", "ramps", "dithering"],
+    known: &["colours", "file", "ramps", "dithering", "direct"],
     later: &[],
 };
 
@@ -26,6 +26,15 @@ pub(super) fn palette(table: Option<&Table<'_, '_>>) -> Result<Palette, Error> {
     let Some(table) = table else {
         return Ok(palette);
     };
+    palette.direct = table.boolean("direct")?.unwrap_or(false);
+    if palette.direct
+        && let Some(key) = ["colours", "file", "ramps"]
+            .into_iter()
+            .find(|key| table.has(key))
+    {
+        let what = "does not go with direct = true, which has no palette; expected one of the two";
+        return Err(table.error(key, what));
+    }
     let example = "palettes/warm.gpl";
     if let Some(name) = table.text("file", example)? {
         if let Some(key) = ["colours", "ramps"].into_iter().find(|key| table.has(key)) {
