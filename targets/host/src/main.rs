@@ -87,9 +87,7 @@ fn run() -> Result<(), String> {
     let mut memory = Box::new(HostMemory::new());
     measure(&mut host, blob, job, &mut memory).map_err(|error| match error {
         EngineError::Scene(error) => format!("{path}: {error}"),
-        EngineError::Memory | EngineError::Samples | EngineError::Direct => {
-            error.message().to_owned()
-        }
+        other => other.message().to_owned(),
     })?;
     host.written
         .map_err(|error| format!("the picture: {error}"))

@@ -5,12 +5,8 @@ use core::convert::Infallible;
 
 use fixel::frame::BandRows;
 use fixel::palette::{Palette, Rgb565Table};
-<<<<<<< HEAD
-=======
-#[cfg(feature = "triangles")]
+#[cfg(all(feature = "triangles", not(feature = "rays-alone")))]
 use fixel::render::Bands;
-use fixel::render::Workspace;
->>>>>>> 3945a01 (Bands without a palette: 16-bit colours as they are lit, by the kernels there are)
 use fixel::{Band, Display, Scene, SceneError};
 
 /// Why a frame could not be rendered.
@@ -22,13 +18,10 @@ pub enum EngineError {
     Memory,
     /// The frame's pixels are samples, and the program shows only whole pixels.
     Samples,
-<<<<<<< HEAD
     /// The scene is not baked for rays, and the program has nothing else.
     Triangles,
-=======
     /// The scene is baked for bands without a palette, and the program has none such.
     Direct,
->>>>>>> 3945a01 (Bands without a palette: 16-bit colours as they are lit, by the kernels there are)
 }
 
 impl EngineError {
@@ -38,11 +31,8 @@ impl EngineError {
             Self::Scene(_) => "the blob is not a scene",
             Self::Memory => "a row does not fit the memory given",
             Self::Samples => "the scene is anti-aliased or an anaglyph",
-<<<<<<< HEAD
             Self::Triangles => "the scene is not baked for rays",
-=======
             Self::Direct => "the scene is baked without a palette",
->>>>>>> 3945a01 (Bands without a palette: 16-bit colours as they are lit, by the kernels there are)
         }
     }
 }
@@ -191,13 +181,13 @@ pub fn render(
 
 /// The same of a scene that is baked without a palette: `colours` and `depth` are a band's
 /// pixels.
-#[cfg(feature = "triangles")]
+#[cfg(all(feature = "triangles", not(feature = "rays-alone")))]
 pub fn render_direct(
     scene: &Scene<'_>,
     frame: u32,
     band_rows: usize,
     (colours, depth): (&mut [u16], &mut [u16]),
-    mut work: Workspace<'_>,
+    work: &mut Workspace<'_>,
     mut take: impl FnMut(BandRows<'_, u16>),
 ) -> Result<(), EngineError> {
     let width = scene.frame_width();
@@ -207,7 +197,7 @@ pub fn render_direct(
     let depth = depth.get_mut(..least).unwrap_or_default();
     let mut band = Band::new(width, colours, depth).map_err(|_| EngineError::Memory)?;
     let (pose, dither) = (scene.pose(frame), scene.dither());
-    let bands = Bands::direct(scene, &pose, dither, &mut work, &mut band);
+    let bands = Bands::direct(scene, &pose, dither, &mut work.triangles, &mut band);
     let mut bands = bands.ok_or(EngineError::Direct)?;
     while let Some(rows) = bands.next() {
         take(rows);

@@ -9,11 +9,7 @@ use core::convert::Infallible;
 use fixel::display::{Resolve, Rgb565Rows};
 use fixel::frame::BandRows;
 use fixel::palette::Rgb565Table;
-<<<<<<< HEAD
-use fixel::Display;
-=======
-use fixel::{Display, Scene, Scratch};
->>>>>>> 3945a01 (Bands without a palette: 16-bit colours as they are lit, by the kernels there are)
+use fixel::{Display, Scene};
 
 use crate::demo::WIDTH;
 use crate::engine::{self, Buffers, EngineError, Scratch};
@@ -208,10 +204,10 @@ pub fn measure<
     for frame in job.from..job.to {
         let mut digest = Digest::default();
         let mut watch = Stopwatch::new(platform);
-        #[cfg(feature = "triangles")]
+        #[cfg(all(feature = "triangles", not(feature = "rays-alone")))]
         if scene.is_direct() {
             let band = (&mut memory.panel[..], &mut memory.depth[..]);
-            let (rows, work) = (job.band_rows, memory.scratch.workspace());
+            let (rows, work) = (job.band_rows, &mut memory.scratch.workspace());
             watch.start(platform);
             engine::render_direct(black_box(&scene), frame, rows, band, work, |rows| {
                 watch.stop(platform);
