@@ -74,6 +74,14 @@ impl Attribute {
             .wrapping_add_signed(self.gradient.x.wrapping_mul(columns))
     }
 
+    /// The same, held for the pixel `columns` to the right.
+    pub(super) fn aside(self, columns: i32) -> Self {
+        Self {
+            at_row: self.at(columns),
+            ..self
+        }
+    }
+
     /// On to the next row.
     #[inline(always)]
     pub(super) fn advance(&mut self) {

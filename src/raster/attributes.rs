@@ -5,6 +5,7 @@ use super::gradient::Plane;
 use super::perspective;
 use super::scan::{Shape, Stepped};
 use crate::math::SUBPX_BITS;
+use crate::vertex::ScreenVertex;
 
 /// What changes over a triangle, at the centre of one pixel: the top vertex's
 /// column in the current row.
@@ -20,7 +21,7 @@ impl Attributes {
         let values = shape.sorted.map(|v| v.z().to_bits() as i32);
         let mut z = attribute(plane, shape, values, 4, row)?;
         if z.gradient.is_steep() {
-            z = steep_depth(shape, values, row)?;
+            z = steep_depth(shape.sorted, shape.area, values, row)?;
         }
         Some(Self {
             z,
@@ -60,10 +61,16 @@ impl Stepped for Attributes {
 
 /// The depth of a face so steep that the rounding of its vertices would show: its
 /// plane goes through the vertices as they were. `None` where that might leave
-/// the range of depths, as at the near plane: such a triangle goes pixel by pixel.
+/// the range of depths, as at the near plane: such a triangle goes pixel by pixel. On
+/// `row`, in the first vertex's column.
 #[cold]
 #[inline(never)]
-fn steep_depth(shape: &Shape<'_>, values: [i32; 3], row: i32) -> Option<Attribute> {
+pub(super) fn steep_depth(
+    vertices: [&ScreenVertex; 3],
+    area: i64,
+    values: [i32; 3],
+    row: i32,
+) -> Option<Attribute> {
     // A gradient of 2^15 units a pixel over half a sub-pixel: 4 units.
     const ROOM: i32 = 8 << 4;
     if values
@@ -72,11 +79,11 @@ fn steep_depth(shape: &Shape<'_>, values: [i32; 3], row: i32) -> Option<Attribut
     {
         return None;
     }
-    let (plane, place) = Plane::unrounded(shape.sorted, shape.area)?;
+    let (plane, place) = Plane::unrounded(vertices, area)?;
     let [a, b, c] = values;
     let gradient = plane.gradient(b - a, c - a, 4)?;
-    let [top, ..] = shape.sorted;
-    let column = top.x().to_bits() >> SUBPX_BITS;
+    let [first, ..] = vertices;
+    let column = first.x().to_bits() >> SUBPX_BITS;
     Some(Attribute::unrounded(
         (a as u32) << 12,
         gradient,

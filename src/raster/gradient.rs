@@ -186,86 +186,103 @@ impl Plane {
     }
 }
 
-/// The same for a triangle smaller than 16 pixels: 32-bit products' high halves are
-/// enough. What that cuts off is 2^-29 of the largest product, so that of a triangle a
-/// thousand times longer than wide a depth is off by a tenth at most.
+/// The same for a triangle smaller than 16 pixels: 32-bit products are enough. Where
+/// depths differ much, high halves of products are; what that cuts off is 2^-29 of the
+/// largest product, so that of a triangle a thousand times longer than wide a depth is
+/// off by a tenth at most.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SmallPlane {
     /// Of the area's size.
     recip: Reciprocal,
-    negative: bool,
     d1: [i32; 2],
     d2: [i32; 2],
 }
 
 impl SmallPlane {
-    /// For vertices with the doubled `area`, below 2^32 in size as that of the box around
-    /// them is; its sign is for their order before sorting, and `positive` says what it
-    /// is now.
+    /// For vertices counter-clockwise on the screen, with the doubled area's size: below
+    /// 2^32 as that of the box around them is.
     #[inline(always)]
-    pub(super) fn new([a, b, c]: [&ScreenVertex; 3], area: i64, positive: bool) -> Self {
-        let low = area as u32;
-        let size = if area < 0 { low.wrapping_neg() } else { low };
-        // 16 bits and a sign, to 31.
+    pub(super) fn new([a, b, c]: [&ScreenVertex; 3], area: u32) -> Self {
+        // 16 bits and a sign.
         let side = |v: &ScreenVertex| {
-            let (x, y) = (
+            [
                 v.x().to_bits() - a.x().to_bits(),
                 v.y().to_bits() - a.y().to_bits(),
-            );
-            [x << 15, y << 15]
+            ]
         };
         Self {
-            recip: reciprocal(size),
-            negative: !positive,
+            recip: reciprocal(area),
             d1: side(b),
             d2: side(c),
         }
     }
 
     /// The gradient of depths, 4 fractional bits, that differ from the first vertex's
-    /// by `v1` and `v2`; `None` if it exceeds the format.
+    /// by `v1` and `v2`; `None` if it is steep.
     #[inline(always)]
     pub(super) fn depth(&self, v1: i32, v2: i32) -> Option<Gradient> {
-        // n / 2^6 / area * 2^(12 + 16 - 4), area being 2^(62 - shift) over the mantissa.
-        self.gradient(v1 << 11, v2 << 11, 0)
+        const SMALL: i32 = 1 << 14;
+        if ((v1 + SMALL) | (v2 + SMALL)) as u32 >= 2 * SMALL as u32 {
+            return self.wide(v1, v2);
+        }
+        self.level(v1, v2)
     }
 
-    /// The gradient of levels, 6 fractional bits.
+    /// The gradient of levels, 4 fractional bits, that differ by less than 2^14; `None`
+    /// if it would be steep for a depth.
     #[inline(always)]
     pub(super) fn level(&self, v1: i32, v2: i32) -> Option<Gradient> {
-        self.gradient(v1 << 16, v2 << 16, 7)
+        let ([x1, y1], [x2, y2]) = (self.d1, self.d2);
+        // n / area * 2^(12 + 16 - 4).
+        let up = self.recip.shift as i32 - 6;
+        self.divide([v2 * y1 - v1 * y2, x2 * v1 - x1 * v2], up)
     }
 
+    /// The same where products exceed 31 bits.
+    #[inline(never)]
+    fn wide(&self, v1: i32, v2: i32) -> Option<Gradient> {
+        let [[x1, y1], [x2, y2]] = [self.d1, self.d2].map(|d| d.map(|side| side << 15));
+        let (v1, v2) = (v1 << 11, v2 << 11);
+        let x = mul_high(v2, y1) - mul_high(v1, y2);
+        let y = mul_high(x2, v1) - mul_high(x1, v2);
+        self.divide([x, y], self.recip.shift as i32)
+    }
+
+    /// `n * mantissa * 2^(up - 32)`, unless it is steep.
     #[inline(always)]
-    fn gradient(&self, v1: i32, v2: i32, down: u32) -> Option<Gradient> {
-        let ([x1, y1], [x2, y2]) = (self.d1, self.d2);
-        let up = self.recip.shift as i32 - down as i32;
-        let mantissa = if self.negative {
-            -self.recip.mantissa
-        } else {
-            self.recip.mantissa
-        };
-        let divide = |n: i32| {
-            let high = mul_high(n, mantissa);
-            if up <= 0 {
-                return Some(high >> up.wrapping_neg().min(31));
+    fn divide(&self, n: [i32; 2], up: i32) -> Option<Gradient> {
+        // Within 30 bits and a sign.
+        let [x, y] = n.map(|n| mul_high(n, self.recip.mantissa));
+        let limit = 1 << (STEEP_BITS - up).clamp(0, 30);
+        if ((x + limit) | (y + limit)) as u32 >= 2 * limit as u32 {
+            return None;
+        }
+        let gradient = if up >= 0 {
+            let up = up & 31;
+            Gradient {
+                x: x << up,
+                y: y << up,
             }
-            let shifted = high << up.min(31);
-            (shifted >> up.min(31) == high).then_some(shifted)
+        } else {
+            let down = up.wrapping_neg() & 31;
+            Gradient {
+                x: x >> down,
+                y: y >> down,
+            }
         };
-        Some(Gradient {
-            x: divide(mul_high(v1, y2) - mul_high(v2, y1))?,
-            y: divide(mul_high(x1, v2) - mul_high(x2, v1))?,
-        })
+        Some(gradient)
     }
 }
+
+/// A steep gradient's bits.
+const STEEP_BITS: i32 = 16 + SUBPX_BITS as i32 - 2;
 
 impl Gradient {
     /// Whether a vertex that is off by half a sub-pixel makes the attribute off
     /// by an eighth of a unit or more.
     #[inline(always)]
     pub(super) fn is_steep(&self) -> bool {
-        const STEEP: u32 = 1 << (16 + SUBPX_BITS - 2);
+        const STEEP: u32 = 1 << STEEP_BITS;
         self.x.unsigned_abs() >= STEEP || self.y.unsigned_abs() >= STEEP
     }
 }

@@ -3,15 +3,16 @@
 //!
 //! First the rows' spans, by following each edge down, a pixel aside at a time, by the
 //! sign of its edge function (Pineda, "A parallel algorithm for polygon rasterization",
-//! 1988); then the attributes, if there is a pixel; then the pixels. In one pass, edges
-//! and attributes together would not fit into a processor's registers.
+//! 1988); then the attributes, if there is a pixel; then the pixels. Each is a function of
+//! its own: together they would not fit into a processor's registers.
 
 use core::ops::Range;
 
 use super::attribute::Attribute;
+use super::attributes::steep_depth;
 use super::gradient::SmallPlane;
 use super::span::{self, Fill};
-use super::triangle::{Seen, first_centre, sort};
+use super::triangle::Seen;
 use crate::frame::Target;
 use crate::math::{Depth, HALF_PX, SUBPX_BITS, SubPx};
 use crate::vertex::ScreenVertex;
@@ -29,8 +30,20 @@ pub(super) fn is_small(seen: &Seen, target: &Target<'_>) -> bool {
         && right >> SUBPX_BITS < i32::from(target.width)
 }
 
-/// For each row a column, from the triangle's leftmost.
-type Columns = [u8; PIXELS];
+/// Of each row, from the leftmost vertex's column: the first pixel, and the one after the
+/// last.
+type Spans = [[u8; 2]; PIXELS];
+
+/// A small triangle of which a pixel was found.
+struct Small {
+    spans: Spans,
+    /// Rows that may have pixels.
+    numbers: Range<usize>,
+    /// The leftmost column's place in the first of them, in the target.
+    start: i32,
+    z: Attribute,
+    level: Attribute,
+}
 
 /// Fills a small triangle; `false` if its attributes exceed the formats.
 #[inline(always)]
@@ -43,156 +56,184 @@ pub(super) fn fill_small(
     let [[left, _], _] = seen.bounds;
     let column = left >> SUBPX_BITS;
     let (first, end) = seen.rows;
-    let (sorted, flipped) = sort(triangle.map(|v| (v, ())));
-    let [top, middle, bottom] = sorted.map(|(v, ())| v);
-    // Whether the middle vertex is to the right of the long edge.
-    let long_is_left = (seen.area > 0) != flipped;
-    let bend = first_centre(middle.y().to_bits()).max(first).min(end);
-
-    // Of each row the first pixel, and the one after the last.
-    let (mut lefts, mut rights) = (Columns::default(), Columns::default());
-    let (long, short) = if long_is_left {
-        (&mut lefts, &mut rights)
-    } else {
-        (&mut rights, &mut lefts)
+    let [a, b, c] = triangle;
+    // Counter-clockwise on the screen: what goes down is on the left.
+    let triangle = if seen.area < 0 { [a, b, c] } else { [a, c, b] };
+    let mut small = Small {
+        spans: Spans::default(),
+        numbers: 0..(end - first) as usize,
+        start: (first - i32::from(target.top)) * i32::from(target.stride) + column,
+        z: Attribute::default(),
+        level: Attribute::default(),
     };
-    follow(long, [top, bottom], column, first, first..end);
-    follow(short, [top, middle], column, first, first..bend);
-    follow(short, [middle, bottom], column, first, bend..end);
-
-    let mut row = first;
-    let at = |row: i32| ((row - first) as usize) % PIXELS;
-    #[expect(clippy::indexing_slicing, reason = "held below the array's length")]
-    while lefts[at(row)] >= rights[at(row)] {
-        row += 1;
-        if row >= end {
-            return true;
-        }
-    }
-
-    let plane = SmallPlane::new([top, middle, bottom], seen.area, long_is_left);
-    let centre = |pixel: i32, v: SubPx| (pixel << SUBPX_BITS) + HALF_PX - v.to_bits();
-    let place = [centre(column, top.x()), centre(row, top.y())];
-    let [za, zb, zc] = [top, middle, bottom].map(|v| v.z().to_bits() as i32);
-    let Some(gradient) = plane.depth(zb - za, zc - za) else {
-        return false;
+    find_spans(&mut small.spans, triangle, [column, first], end - first);
+    let Some(empty) = small.spans.iter().position(|[left, right]| left < right) else {
+        return true;
     };
-    if gradient.is_steep() {
-        return false;
-    }
-    let z = Attribute::beside((za as u32) << 12, gradient, place);
-    let start = (row - i32::from(target.top)) * i32::from(target.stride) + column;
-    let rows = Rows {
-        lefts: &lefts,
-        rights: &rights,
-        numbers: (row - first) as usize..(end - first) as usize,
-        start,
-    };
+    small.numbers.start = empty;
+    small.start += empty as i32 * i32::from(target.stride);
+    let place = [column, first + empty as i32];
     match fill {
         Fill::Depth => {}
         Fill::Flat(index) => {
-            rows.draw(target, z, Attribute::default(), |span, z, dz, _, _| {
-                span::flat(span.indices, span.depths, z, dz, index);
-            });
+            if !small.set_planes::<false>(triangle, seen, place) {
+                return false;
+            }
+            small.draw_flat(target, index);
         }
         Fill::Gouraud(shades) => {
-            let [la, lb, lc] = [top, middle, bottom].map(|v| i32::from(v.level().to_bits()));
-            let Some(gradient) = plane.level(lb - la, lc - la) else {
+            if !small.set_planes::<true>(triangle, seen, place) {
                 return false;
-            };
-            let level = Attribute::beside((la as u32) << 10, gradient, place);
-            rows.draw(target, z, level, |span, z, dz, level, dl| {
-                span::gouraud::<true>(span.indices, span.depths, (z, dz), (level, dl), shades);
-            });
+            }
+            small.draw_gouraud(target, shades);
         }
     }
     true
 }
 
-/// Writes, for some rows, the first pixel whose centre is not left of an edge.
-#[inline(always)]
-fn follow(
-    columns: &mut Columns,
-    [upper, lower]: [&ScreenVertex; 2],
-    column: i32,
-    first: i32,
-    rows: Range<i32>,
+/// Finds the pixels of `count` rows between the edges of a triangle, from a pixel on that
+/// is not right of it.
+#[inline(never)]
+fn find_spans(
+    spans: &mut Spans,
+    triangle: [&ScreenVertex; 3],
+    [column, row]: [i32; 2],
+    count: i32,
 ) {
-    if rows.is_empty() {
-        return;
+    // From the pixel's left edge, and so that whole parts of y are the first rows at or
+    // below a vertex.
+    let left = column << SUBPX_BITS;
+    let above = (HALF_PX - 1) - (row << SUBPX_BITS);
+    let [a, b, c] = triangle.map(|v| [v.x().to_bits() - left, v.y().to_bits() + above]);
+    follow(spans, a, b, count);
+    follow(spans, b, c, count);
+    follow(spans, c, a, count);
+}
+
+/// Writes, for the rows of an edge, the first pixel whose centre is not left of it.
+#[inline(always)]
+fn follow(spans: &mut Spans, from: [i32; 2], to: [i32; 2], count: i32) {
+    let ([_, y], [_, y_end]) = (from, to);
+    if y < y_end {
+        follow_down::<true>(spans, from, to, count);
+    } else {
+        follow_down::<false>(spans, to, from, count);
     }
-    let (x, y) = (upper.x().to_bits(), upper.y().to_bits());
-    let (dx, dy) = (lower.x().to_bits() - x, lower.y().to_bits() - y);
-    // Pixels are tried from the vertex on in the edge's direction; none on the other
-    // side can be the first.
-    let top = first_centre(y);
-    let mut at = (x >> SUBPX_BITS) - (dx >> 31);
-    let across = (at << SUBPX_BITS) + HALF_PX - x;
-    let down = (top << SUBPX_BITS) + HALF_PX - y;
+}
+
+/// The first pixel of a row, or the one after the last.
+#[inline(always)]
+fn side<const LEFT: bool>([left, right]: &mut [u8; 2]) -> &mut u8 {
+    if LEFT { left } else { right }
+}
+
+#[inline(always)]
+fn follow_down<const LEFT: bool>(
+    spans: &mut Spans,
+    [x, y]: [i32; 2],
+    [x_end, y_end]: [i32; 2],
+    count: i32,
+) {
+    const FRACTION: i32 = (1 << SUBPX_BITS) - 1;
+    let top = y >> SUBPX_BITS;
+    let end = (y_end >> SUBPX_BITS).min(count);
+    let Some(rows) = spans.get_mut(top.max(0) as usize..end as usize) else {
+        return;
+    };
+    let (dx, dy) = (x_end - x, y_end - y);
+    // From the vertex to centres of its column and of the edge's first row.
+    let across = HALF_PX - (x & FRACTION);
+    let down = !y & FRACTION;
     // The edge function at a pixel's centre, negative left of the edge, without the
     // bits that no step to another pixel changes: of 30 bits, 18.
-    let mut value = ((dy * across - dx * down) >> SUBPX_BITS) - dx * (rows.start - top);
-    at -= column;
-    let numbers = (rows.start - first)..(rows.end - first);
+    let mut value = (dy * across - dx * down) >> SUBPX_BITS;
+    if top < 0 {
+        value += dx * top;
+    }
+    // Pixels are tried from the vertex on in the edge's direction; none on the other
+    // side can be the first.
+    let mut at = x >> SUBPX_BITS;
     if dx >= 0 {
-        for number in numbers {
+        for row in rows {
             while value < 0 {
                 value += dy;
                 at += 1;
+                span::keep_rolled();
             }
-            #[expect(clippy::indexing_slicing, reason = "held below the array's length")]
-            {
-                columns[number as usize % PIXELS] = at as u8;
-            }
+            *side::<LEFT>(row) = at as u8;
             value -= dx;
         }
     } else {
-        for number in numbers {
-            while value >= dy {
+        // The value is that of the pixel to the left.
+        at += 1;
+        for row in rows {
+            while value >= 0 {
                 value -= dy;
                 at -= 1;
+                span::keep_rolled();
             }
-            #[expect(clippy::indexing_slicing, reason = "held below the array's length")]
-            {
-                columns[number as usize % PIXELS] = at as u8;
-            }
+            *side::<LEFT>(row) = at as u8;
             value -= dx;
         }
     }
 }
 
-/// The rows of a triangle, from the first with a pixel on.
-struct Rows<'a> {
-    lefts: &'a Columns,
-    rights: &'a Columns,
-    /// Which of those.
-    numbers: Range<usize>,
-    /// The leftmost column's place in the first of them, in the target.
-    start: i32,
-}
+impl Small {
+    /// Sets depth and level at a pixel; `false` if they exceed the formats.
+    #[inline(never)]
+    fn set_planes<const LEVEL: bool>(
+        &mut self,
+        triangle: [&ScreenVertex; 3],
+        seen: &Seen,
+        [column, row]: [i32; 2],
+    ) -> bool {
+        let [a, ..] = triangle;
+        let plane = SmallPlane::new(triangle, seen.area.unsigned_abs() as u32);
+        let centre = |pixel: i32, v: SubPx| (pixel << SUBPX_BITS) + HALF_PX - v.to_bits();
+        let place = [centre(column, a.x()), centre(row, a.y())];
+        if LEVEL {
+            let levels = triangle.map(|v| i32::from(v.level().to_bits()));
+            let [la, lb, lc] = levels.map(|level| level >> 2);
+            let Some(gradient) = plane.level(lb - la, lc - la) else {
+                return false;
+            };
+            self.level = Attribute::beside((la as u32) << 12, gradient, place);
+        }
+        let depths = triangle.map(|v| v.z().to_bits() as i32);
+        let [za, zb, zc] = depths;
+        if let Some(gradient) = plane.depth(zb - za, zc - za) {
+            self.z = Attribute::beside((za as u32) << 12, gradient, place);
+            return true;
+        }
+        let steep = steep_depth(triangle, -seen.area.abs(), depths, row);
+        if let Some(z) = steep {
+            self.z = z.aside(column - (a.x().to_bits() >> SUBPX_BITS));
+        }
+        steep.is_some()
+    }
 
-/// The pixels of a row.
-struct Span<'t> {
-    indices: &'t mut [u8],
-    depths: &'t mut [Depth],
-}
+    #[inline(never)]
+    fn draw_flat(&self, target: &mut Target<'_>, index: u8) {
+        self.draw(target, |span, z, dz, _, _| {
+            span::flat(span.indices, span.depths, z, dz, index);
+        });
+    }
 
-impl Rows<'_> {
+    #[inline(never)]
+    fn draw_gouraud(&self, target: &mut Target<'_>, shades: &[u8; 256]) {
+        self.draw(target, |span, z, dz, level, dl| {
+            span::gouraud::<true>(span.indices, span.depths, (z, dz), (level, dl), shades);
+        });
+    }
+
     /// Hands on each row's pixels, with the attributes of the first and their steps.
     #[inline(always)]
-    fn draw(
-        self,
-        target: &mut Target<'_>,
-        mut z: Attribute,
-        mut level: Attribute,
-        draw: impl Fn(Span<'_>, u32, i32, u32, i32),
-    ) {
+    fn draw(&self, target: &mut Target<'_>, draw: impl Fn(Span<'_>, u32, i32, u32, i32)) {
         let stride = i32::from(target.stride);
-        let mut start = self.start;
-        for number in self.numbers {
-            #[expect(clippy::indexing_slicing, reason = "held below the array's length")]
-            let [left, right] =
-                [self.lefts, self.rights].map(|side| i32::from(side[number % PIXELS]));
+        let (mut start, mut z, mut level) = (self.start, self.z, self.level);
+        let spans = self.spans.get(self.numbers.clone()).unwrap_or_default();
+        for [left, right] in spans {
+            let [left, right] = [*left, *right].map(i32::from);
             if left < right {
                 let pixels = (start + left) as usize..(start + right) as usize;
                 if let (Some(indices), Some(depths)) = (
@@ -209,4 +250,10 @@ impl Rows<'_> {
             start += stride;
         }
     }
+}
+
+/// The pixels of a row.
+struct Span<'t> {
+    indices: &'t mut [u8],
+    depths: &'t mut [Depth],
 }

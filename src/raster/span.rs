@@ -39,23 +39,101 @@ pub(super) fn flat(indices: &mut [u8], depths: &mut [Depth], mut z: u32, dz: i32
     }
 }
 
-/// The same where there are likely many. A function of its own, by fours: where it is
-/// inlined, others take its registers.
+/// Pixels from which on it pays to go by words.
+const MANY: usize = 12;
+
+/// The same where there are likely many. A function of its own: where it is inlined,
+/// others take its registers.
 #[inline(never)]
 pub(super) fn long_flat(indices: &mut [u8], depths: &mut [Depth], mut z: u32, dz: i32, index: u8) {
-    let (fours, rest) = indices.as_chunks_mut::<4>();
-    let (four_depths, rest_depths) = depths.as_chunks_mut::<4>();
-    for ([a, b, c, d], [ad, bd, cd, dd]) in fours.iter_mut().zip(four_depths) {
-        put(a, ad, z, index);
-        z = z.wrapping_add_signed(dz);
-        put(b, bd, z, index);
-        z = z.wrapping_add_signed(dz);
-        put(c, cd, z, index);
-        z = z.wrapping_add_signed(dz);
-        put(d, dd, z, index);
-        z = z.wrapping_add_signed(dz);
+    if !cfg!(narrow_multiply) {
+        flat_by_words(indices, depths, z, dz, index);
+        return;
     }
-    flat(rest, rest_depths, z, dz, index);
+    // Cores with few registers go by twos.
+    let (twos, last) = indices.as_chunks_mut::<2>();
+    let (two_depths, last_depth) = depths.as_chunks_mut::<2>();
+    for ([a, b], [da, db]) in twos.iter_mut().zip(two_depths) {
+        put(a, da, z, index);
+        z = z.wrapping_add_signed(dz);
+        put(b, db, z, index);
+        z = z.wrapping_add_signed(dz);
+        keep_rolled();
+    }
+    flat(last, last_depth, z, dz, index);
+}
+
+/// Two pixels at a time, from a place on where two depths are a word and their indices
+/// half of one.
+#[inline(always)]
+fn flat_by_words(indices: &mut [u8], depths: &mut [Depth], mut z: u32, dz: i32, index: u8) {
+    if indices.len() < MANY {
+        flat(indices, depths, z, dz, index);
+        return;
+    }
+    let (before, pairs, after) = bytemuck::pod_align_to_mut::<u8, u16>(indices);
+    let rest = depths.split_at_mut_checked(before.len());
+    let Some((depths_before, rest)) = rest else {
+        return;
+    };
+    let Some((middle, depths_after)) = rest.split_at_mut_checked(2 * pairs.len()) else {
+        return;
+    };
+    flat(before, depths_before, z, dz, index);
+    let along = |pixels: usize| dz.wrapping_mul(pixels as i32);
+    z = z.wrapping_add_signed(along(before.len()));
+    match bytemuck::try_cast_slice_mut(middle) {
+        Ok(depths) => flat_pairs(pairs, depths, z, dz, index),
+        // Depths of which two do not begin on a word where two indices do.
+        Err(_) => flat(bytemuck::cast_slice_mut(pairs), middle, z, dz, index),
+    };
+    z = z.wrapping_add_signed(along(2 * pairs.len()));
+    flat(after, depths_after, z, dz, index);
+}
+
+/// A function of its own again, for its registers.
+#[inline(never)]
+fn flat_pairs(pairs: &mut [u16], depths: &mut [u32], mut z: u32, dz: i32, index: u8) {
+    let both = u16::from_ne_bytes([index; 2]);
+    for (pair, depth) in pairs.iter_mut().zip(depths) {
+        let behind = ordered(*depth);
+        let next = z.wrapping_add_signed(dz);
+        let (first, second) = (z >> 16, next & 0xffff_0000);
+        // The second depth's lower half is empty, and so no larger than what is behind
+        // unless its upper half is.
+        if second > behind && first > behind & 0xffff {
+            *depth = ordered(second | first);
+            *pair = both;
+        } else if second > behind || first > behind & 0xffff {
+            one_of_two(pair, depth, [first, second], index);
+        }
+        z = next.wrapping_add_signed(dz);
+        keep_rolled();
+    }
+}
+
+/// Draws the one of two pixels that is nearer than what stands there.
+#[cold]
+#[inline(never)]
+fn one_of_two(pair: &mut u16, depths: &mut u32, [first, second]: [u32; 2], index: u8) {
+    let ([a, b], behind) = (pair.to_ne_bytes(), ordered(*depths));
+    let (indices, nearer) = if second > behind {
+        ([a, index], behind & 0xffff | second)
+    } else {
+        ([index, b], behind & 0xffff_0000 | first)
+    };
+    *pair = u16::from_ne_bytes(indices);
+    *depths = ordered(nearer);
+}
+
+/// Two depths in memory as a word, or back: the first is in the lower half.
+#[inline(always)]
+const fn ordered(depths: u32) -> u32 {
+    if cfg!(target_endian = "big") {
+        depths.rotate_left(16)
+    } else {
+        depths
+    }
 }
 
 /// Draws a pixel if it is nearer than what stands there.
@@ -71,7 +149,7 @@ fn put(pixel: &mut u8, depth: &mut Depth, z: u32, index: u8) {
 /// Keeps the compiler from unrolling a loop: where it runs two or three times, what
 /// goes before an unrolled one costs more than the loop.
 #[inline(always)]
-fn keep_rolled() {
+pub(super) fn keep_rolled() {
     core::hint::black_box(());
 }
 

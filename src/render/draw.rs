@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use super::lines::{self, Pass, draw_hidden, draw_look};
-use super::meshlet_cache::MeshletCache;
+use super::meshlet_cache::{Held, MeshletCache};
 use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
 use super::surface::draw_surface_meshlet;
@@ -11,7 +11,7 @@ use super::triangles::{Done, Draw, Triangle, triangles};
 use super::visible_list::Entry;
 use crate::fog::Haze;
 use crate::frame::{Stored, Target};
-use crate::math::Rect;
+use crate::math::{HALF_PX, Rect, SUBPX_BITS, SubPx};
 use crate::raster::{Drawn, Sides, draw_triangle};
 use crate::scene::{Cull, Meshlet, Scene, Shading};
 use crate::vertex::{TransformedMeshlet, transform_meshlet};
@@ -49,19 +49,27 @@ pub(super) fn draw_meshlet<P: Paint>(
         return;
     };
     let key = (entry.actor, entry.cache_key());
-    let transformed = cache.get(key, entry.end_row, |out| {
+    let held = cache.get(key, entry.end_row, |out| {
         stats.meshlets_transformed += 1;
         stats.vertices += u32::from(meshlet.vertices);
         let rows = transform_meshlet(scene, view, &meshlet, out);
         // Of lines and points more is drawn than lies between their vertices.
+        let inside = rows.is_some();
         if let (Some(rows), true) = (rows, lines::look(scene, entry.actor).is_none()) {
             entry.narrow(rows, rect);
         }
-        entry.end_row
+        (entry.end_row, inside)
     });
-    let (Some((transformed, done)), true) = (transformed, entry.touches(rows)) else {
+    let (Some(held), true) = (held, entry.touches(rows)) else {
         return;
     };
+    let Held {
+        vertices: transformed,
+        inside,
+        done,
+    } = held;
+    // The first sub-pixel whose row, if it is a vertex's, is not above the band's end.
+    let below = SubPx::from_bits((i32::from(target.end) << SUBPX_BITS) - (HALF_PX - 1));
     let part = Part {
         scene,
         view,
@@ -69,6 +77,8 @@ pub(super) fn draw_meshlet<P: Paint>(
         number: entry.meshlet(),
         meshlet: &meshlet,
         transformed,
+        inside,
+        below: (entry.end_row > rows.end).then_some(below),
         haze,
     };
     if !matches!(entry.pass(), Pass::Surface | Pass::Blended) {
@@ -96,6 +106,10 @@ pub(super) struct Part<'a> {
     pub number: u32,
     pub meshlet: &'a Meshlet,
     pub transformed: &'a TransformedMeshlet,
+    /// Whether none of its vertices has to be clipped.
+    pub inside: bool,
+    /// If it may have pixels below the band: where those have vertices.
+    pub below: Option<SubPx>,
     /// Of a blended one, the fog before it.
     pub haze: Option<&'a Haze>,
 }
@@ -129,12 +143,7 @@ fn draw_plain_meshlet<P: Paint>(
     target: &mut Target<'_>,
     stats: &mut FrameStats,
 ) {
-    let Part {
-        scene,
-        view,
-        meshlet,
-        ..
-    } = *part;
+    let (scene, view, meshlet) = (part.scene, part.view, part.meshlet);
     let mut plain = Plain {
         paint,
         part,
@@ -144,15 +153,7 @@ fn draw_plain_meshlet<P: Paint>(
         normals: scene.meshlet_face_normals(meshlet, &view.mesh),
         sides: part.sides(),
     };
-    triangles(
-        scene,
-        view,
-        meshlet,
-        part.transformed,
-        done,
-        stats,
-        &mut plain,
-    );
+    triangles(part, done, stats, &mut plain);
 }
 
 /// What the triangles of a plain meshlet have in common.

@@ -218,7 +218,6 @@ pub(super) fn draw_hidden<P: Paint>(
     target: &mut Target<'_, P::Stored>,
     stats: &mut FrameStats,
 ) {
-    let (scene, view) = (part.scene, part.view);
     let mut done = Done::NONE;
     let mut hidden = Hidden {
         paint,
@@ -226,15 +225,7 @@ pub(super) fn draw_hidden<P: Paint>(
         target,
         width: look.line_width.into(),
     };
-    triangles(
-        scene,
-        view,
-        part.meshlet,
-        part.transformed,
-        &mut done,
-        stats,
-        &mut hidden,
-    );
+    triangles(part, &mut done, stats, &mut hidden);
 }
 
 /// What the faces of a hidden-line meshlet have in common.

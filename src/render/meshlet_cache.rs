@@ -10,6 +10,8 @@ pub struct Slot {
     key: Option<(u16, u32)>,
     /// One past the last row that needs it.
     until: u16,
+    /// Whether none of its vertices has to be clipped.
+    inside: bool,
     vertices: TransformedMeshlet,
     /// Its triangles that have no pixels in the next band.
     done: Done,
@@ -19,9 +21,18 @@ impl Slot {
     pub(super) const EMPTY: Self = Self {
         key: None,
         until: 0,
+        inside: false,
         vertices: TransformedMeshlet::EMPTY,
         done: Done::NONE,
     };
+}
+
+/// What a slot holds.
+pub(super) struct Held<'a> {
+    pub vertices: &'a TransformedMeshlet,
+    /// Whether none of its vertices has to be clipped.
+    pub inside: bool,
+    pub done: &'a mut Done,
 }
 
 /// The slots of a frame. The first is for meshlets that the next band does not
@@ -49,18 +60,20 @@ impl<'a> MeshletCache<'a> {
     }
 
     /// The meshlet's vertices, from a slot or through `transform`, and its triangles. `until` is
-    /// one past its last row, at most; `transform` gives what that really is.
+    /// one past its last row, at most; `transform` gives what that really is, and whether no
+    /// vertex has to be clipped.
     pub(super) fn get(
         &mut self,
         key: (u16, u32),
         until: u16,
-        transform: impl FnOnce(&mut TransformedMeshlet) -> u16,
-    ) -> Option<(&TransformedMeshlet, &mut Done)> {
+        transform: impl FnOnce(&mut TransformedMeshlet) -> (u16, bool),
+    ) -> Option<Held<'_>> {
         let held = self.slots.iter().position(|slot| slot.key == Some(key));
         let which = held.unwrap_or_else(|| self.choose(until));
         let slot = self.slots.get_mut(which)?;
         if held.is_none() {
-            slot.until = transform(&mut slot.vertices).min(until);
+            let (end, inside) = transform(&mut slot.vertices);
+            (slot.until, slot.inside) = (end.min(until), inside);
             slot.key = Some(key);
             slot.done = Done::NONE;
         }
@@ -68,7 +81,11 @@ impl<'a> MeshletCache<'a> {
             // Not needed again: free for the next one.
             slot.key = None;
         }
-        Some((&slot.vertices, &mut slot.done))
+        Some(Held {
+            vertices: &slot.vertices,
+            inside: slot.inside,
+            done: &mut slot.done,
+        })
     }
 
     fn choose(&self, until: u16) -> usize {

@@ -82,26 +82,10 @@ pub(super) fn draw_surface_meshlet<P: Paint>(
         // convex thing.
         surfaces.sides.front = false;
         let mut done = Done::NONE;
-        triangles(
-            scene,
-            view,
-            meshlet,
-            part.transformed,
-            &mut done,
-            stats,
-            &mut surfaces,
-        );
+        triangles(part, &mut done, stats, &mut surfaces);
         surfaces.sides = Sides { front, back: false };
     }
-    triangles(
-        scene,
-        view,
-        meshlet,
-        part.transformed,
-        done,
-        stats,
-        &mut surfaces,
-    );
+    triangles(part, done, stats, &mut surfaces);
 }
 
 impl<'a> Through<'a> {

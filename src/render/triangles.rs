@@ -1,5 +1,6 @@
 //! The triangles of a transformed meshlet, those that need it clipped.
 
+use super::draw::Part;
 use super::stats::FrameStats;
 use crate::clip::{Cut, clip};
 use crate::raster::Drawn;
@@ -42,35 +43,25 @@ impl Done {
 /// Hands each triangle that may be seen, of those that are not `done`, to `to`.
 #[inline(always)]
 pub(super) fn triangles(
-    scene: &Scene<'_>,
-    view: &ActorView,
-    meshlet: &Meshlet,
-    transformed: &TransformedMeshlet,
+    part: &Part<'_>,
     done: &mut Done,
     stats: &mut FrameStats,
     to: &mut impl Draw,
 ) {
     let Done(words) = done;
     let mut first = 0;
-    let all = scene.meshlet_triangles(meshlet).chunks(BITS);
+    let all = part.scene.meshlet_triangles(part.meshlet).chunks(BITS);
     for (done, triangles) in words.iter_mut().zip(all) {
+        let mut now_done = *done;
         let mut bit = 1;
         for (number, indices) in (first..).zip(triangles) {
-            if *done & bit == 0
-                && !triangle(
-                    scene,
-                    view,
-                    meshlet,
-                    transformed,
-                    (number, indices),
-                    stats,
-                    to,
-                )
-            {
-                *done |= bit;
+            if now_done & bit == 0 && !triangle(part, (number, indices), stats, to) {
+                now_done |= bit;
             }
             bit = bit.rotate_left(1);
         }
+        stats.triangles += triangles.len() as u32 - done.count_ones();
+        *done = now_done;
         first += BITS;
     }
 }
@@ -79,17 +70,19 @@ pub(super) fn triangles(
 /// may have pixels of it.
 #[inline(always)]
 fn triangle(
-    scene: &Scene<'_>,
-    view: &ActorView,
-    meshlet: &Meshlet,
-    transformed: &TransformedMeshlet,
+    part: &Part<'_>,
     (number, indices): (usize, &[u8; 3]),
     stats: &mut FrameStats,
     to: &mut impl Draw,
 ) -> bool {
-    stats.triangles += 1;
-    let corners = indices.map(|index| corner(transformed, index));
-    if !ScreenVertex::any_outside(corners) {
+    let corners = indices.map(|index| corner(part.transformed, index));
+    if part.inside || !ScreenVertex::any_outside(corners) {
+        if let Some(below) = part.below
+            && corners.iter().all(|corner| corner.y() >= below)
+        {
+            stats.triangles_missed += 1;
+            return true;
+        }
         let Drawn { how, more } = to.draw(&Triangle {
             number,
             indices,
@@ -103,7 +96,7 @@ fn triangle(
         stats.triangles_outside += 1;
         return false;
     }
-    clipped(scene, view, meshlet, (number, indices, corners), stats, to)
+    clipped(part, (number, indices, corners), stats, to)
 }
 
 /// Hands on the parts of a triangle that are not clipped. Kept out of its caller, whose stack
@@ -111,14 +104,18 @@ fn triangle(
 #[cold]
 #[inline(never)]
 fn clipped(
-    scene: &Scene<'_>,
-    view: &ActorView,
-    meshlet: &Meshlet,
+    part: &Part<'_>,
     (number, indices, corners): (usize, &[u8; 3], [&ScreenVertex; 3]),
     stats: &mut FrameStats,
     to: &mut impl Draw,
 ) -> bool {
     stats.triangles_clipped += 1;
+    let Part {
+        scene,
+        view,
+        meshlet,
+        ..
+    } = *part;
     let polygon = clip(view, clip_vertices(scene, view, meshlet, *indices, corners));
     let all = polygon.vertices().iter().zip(polygon.cuts());
     let mut all = all.clone().zip(all.skip(1));

@@ -14,6 +14,8 @@ pub struct Strip<'a> {
     way: Places,
     /// Of its pixels.
     pub places: Places,
+    /// Whether the picture has places where nothing is seen.
+    cut_out: bool,
 }
 
 impl<'a> Sampler<'a> {
@@ -28,8 +30,13 @@ impl<'a> Sampler<'a> {
         if self.texture.wrap != Wrap::Repeat {
             way = self.within(&places, count)?;
         }
-        let copy = *copy;
-        Some((Strip { copy, way, places }, count))
+        let strip = Strip {
+            copy: *copy,
+            way,
+            places,
+            cut_out: self.texture.cut_out,
+        };
+        Some((strip, count))
     }
 
     /// Places as in the first period, if all are in one, and in the first if what is
@@ -136,7 +143,149 @@ impl Strip<'_> {
             depth: run.depth,
             light: [from.wrapping_add(1 << (RUN_FRACTION - 1)), change, turn],
         };
-        draw(run.indices, run.depths, &cursor, shade);
+        let (indices, depths) = (run.indices, run.depths);
+        let mut seen = 0;
+        if !self.cut_out {
+            seen = nearer(depths, run.depth);
+            let Some((indices, rest)) = indices.split_at_mut_checked(seen) else {
+                return;
+            };
+            cursor.draw_all(indices, &shade);
+            if rest.is_empty() {
+                return;
+            }
+        }
+        let rest = (indices.get_mut(seen..), depths.get_mut(seen..));
+        if let (Some(indices), Some(depths)) = rest {
+            let shade = |number, level, texel| shade(number + seen as i32, level, texel);
+            draw(indices, depths, &cursor.after(seen), shade);
+        }
+    }
+}
+
+/// Puts a run's depths in place, by fours as long as all four are nearer than what stands
+/// there; gives how many.
+#[inline(never)]
+fn nearer(depths: &mut [Depth], (mut z, dz): (u32, i32)) -> usize {
+    let count = depths.len();
+    let (fours, rest) = depths.as_chunks_mut::<4>();
+    for (four, number) in fours.iter_mut().zip(0..) {
+        let b = z.wrapping_add_signed(dz);
+        let c = b.wrapping_add_signed(dz);
+        let d = c.wrapping_add_signed(dz);
+        let new = [z, b, c, d].map(|z| (z >> 16) as Depth);
+        let [a, b, c, e] = *four;
+        let [na, nb, nc, nd] = new;
+        if na <= a || nb <= b || nc <= c || nd <= e {
+            return 4 * number;
+        }
+        *four = new;
+        z = d.wrapping_add_signed(dz);
+        keep_rolled();
+    }
+    let first = z;
+    for depth in &*rest {
+        if (z >> 16) as Depth <= *depth {
+            return count - rest.len();
+        }
+        z = z.wrapping_add_signed(dz);
+    }
+    z = first;
+    for depth in rest {
+        *depth = (z >> 16) as Depth;
+        z = z.wrapping_add_signed(dz);
+    }
+    count
+}
+
+/// Keeps the compiler from unrolling a loop.
+#[inline(always)]
+fn keep_rolled() {
+    core::hint::black_box(());
+}
+
+impl Cursor<'_> {
+    /// The kernel where every pixel is seen, and depths are in place: with them as well,
+    /// half of its numbers would find no register.
+    #[inline(always)]
+    fn draw_all(&self, indices: &mut [u8], shade: &impl Fn(i32, i32, u8) -> u8) {
+        let [light, change, turn] = self.light;
+        if change | turn == 0 {
+            // As on flat sides.
+            let level = light >> RUN_FRACTION;
+            texels(self, indices, |number, _, texel| {
+                shade(number, level, texel)
+            });
+        } else {
+            texels(self, indices, shade);
+        }
+    }
+
+    /// After some pixels: whole fours.
+    #[inline(always)]
+    fn after(&self, pixels: usize) -> Self {
+        let fours = (pixels / 4) as u32;
+        // Of the first n fours' steps, the sum of 0..n.
+        let bends = (fours * fours.wrapping_sub(1)) >> 1;
+        let along = |at: u32, step: u32, bend: u32| {
+            let steps = step
+                .wrapping_mul(fours)
+                .wrapping_add(bend.wrapping_mul(bends));
+            (
+                at.wrapping_add(steps << 2),
+                step.wrapping_add(bend.wrapping_mul(fours)),
+            )
+        };
+        let ([x, y], [dx, dy], [bx, by]) = (self.at, self.step, self.bend);
+        let ((x, dx), (y, dy)) = (along(x, dx, bx), along(y, dy, by));
+        let [light, change, turn] = self.light;
+        let (light, change) = along(light as u32, change as u32, turn as u32);
+        let (z, dz) = self.depth;
+        Self {
+            at: [x, y],
+            step: [dx, dy],
+            depth: (z.wrapping_add_signed(dz.wrapping_mul(pixels as i32)), dz),
+            light: [light as i32, change as i32, turn],
+            ..*self
+        }
+    }
+}
+
+/// A function of its own, whose loop wants all registers.
+#[inline(never)]
+fn texels(cursor: &Cursor<'_>, indices: &mut [u8], shade: impl Fn(i32, i32, u8) -> u8) {
+    let Cursor {
+        texels,
+        at: [mut x, mut y],
+        step: [mut dx, mut dy],
+        bend: [bx, by],
+        columns,
+        down,
+        light: [mut light, mut change, turn],
+        ..
+    } = *cursor;
+    let mut number = 0;
+    let mut one = |pixel: &mut u8, [dx, dy]: [u32; 2], change: i32| {
+        let texel = ((x ^ y) & columns ^ y) >> (down & 31);
+        if let Some(&texel) = texels.get(texel as usize) {
+            *pixel = shade(number, light >> RUN_FRACTION, texel);
+        }
+        (x, y) = (x.wrapping_add(dx), y.wrapping_add(dy));
+        light = light.wrapping_add(change);
+        number += 1;
+    };
+    let (fours, rest) = indices.as_chunks_mut::<4>();
+    for [a, b, c, d] in fours {
+        one(a, [dx, dy], change);
+        one(b, [dx, dy], change);
+        one(c, [dx, dy], change);
+        one(d, [dx, dy], change);
+        (dx, dy) = (dx.wrapping_add(bx), dy.wrapping_add(by));
+        change = change.wrapping_add(turn);
+    }
+    for pixel in rest {
+        one(pixel, [dx, dy], change);
+        keep_rolled();
     }
 }
 
@@ -164,7 +313,7 @@ fn draw(
     let mut one = |pixel: &mut u8, depth: &mut Depth, [dx, dy]: [u32; 2], change: i32| {
         let here = (z >> 16) as Depth;
         if here > *depth {
-            let texel = ((x ^ y) & columns ^ y) >> down;
+            let texel = ((x ^ y) & columns ^ y) >> (down & 31);
             if let Some(&texel) = texels.get(texel as usize)
                 && texel != NO_TEXEL
             {

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use super::{ClipVertex, ScreenVertex, project};
+use super::{ClipVertex, ScreenVertex, guard, project, project_inside};
 use crate::light::{Patch, ShortUnit, SurfaceLights, vertex_normal};
 use crate::math::{FineLevel, HALF_PX, SUBPX_BITS, SubPx};
 use crate::scene::layout::MESHLET_VERTICES;
@@ -55,7 +55,20 @@ pub fn transform_meshlet(
     let lit = gouraud && !full;
     let vertices = scene.meshlet_vertices(meshlet);
     let fine = scene.meshlet_fine(meshlet, &view.mesh);
-    if fine.is_empty() {
+    if fine.is_empty() && inside(view, meshlet, &rows) {
+        // Each in a loop of its own: together they would not fit into registers.
+        for (out, vertex) in out.vertices.iter_mut().zip(vertices) {
+            let [x, y, z, _] = vertex.map(i16::from_le);
+            *out = project_inside(view, rows.apply([x, y, z]));
+        }
+        if lit {
+            for (out, vertex) in out.vertices.iter_mut().zip(vertices) {
+                let [.., normal] = vertex.map(i16::from_le);
+                let normal = normal.to_le_bytes().map(|b| b as i8);
+                *out = out.lit(view.lights.level(normal));
+            }
+        }
+    } else if fine.is_empty() {
         for (out, vertex) in out.vertices.iter_mut().zip(vertices) {
             let [x, y, z, normal] = vertex.map(i16::from_le);
             let place = rows.apply([x, y, z]);
@@ -72,19 +85,29 @@ pub fn transform_meshlet(
     if full && gouraud {
         light_vertices(scene, view, meshlet, out);
     }
-    let transformed = out.vertices.iter().take(vertices.len());
-    rows_between(transformed)
+    rows_between(out.vertices.get(..vertices.len()).unwrap_or_default())
+}
+
+/// Whether a meshlet's sphere is within all planes, so far that no vertex has to be
+/// clipped.
+fn inside(view: &ActorView, meshlet: &Meshlet, rows: &MeshletRows) -> bool {
+    let [x, y, distance] = rows.base().map(i64::from);
+    // Rounded up, and 2 for the coordinate's own rounding.
+    let radius = i64::from(meshlet.radius_steps());
+    let [reach_x, reach_y, reach_d] = view
+        .row_lengths
+        .map(|length| ((radius * i64::from(length)) >> view.row_fraction) + 2);
+    let (nearest, farthest) = (distance - reach_d, distance + reach_d);
+    if nearest < i64::from(view.near) || farthest > i64::from(view.far) {
+        return false;
+    }
+    let guard = i64::from(guard(view, nearest.min(i32::MAX.into()) as i32));
+    x.abs() + reach_x <= guard && y.abs() + reach_y <= guard
 }
 
 /// The rows whose centres are between vertices.
-fn rows_between<'v>(vertices: impl Iterator<Item = &'v ScreenVertex>) -> Option<Range<u16>> {
-    let (mut least, mut most) = (SubPx::MAX, SubPx::MIN);
-    for vertex in vertices {
-        if vertex.is_outside() {
-            return None;
-        }
-        (least, most) = (least.min(vertex.y()), most.max(vertex.y()));
-    }
+fn rows_between(vertices: &[ScreenVertex]) -> Option<Range<u16>> {
+    let (least, most) = ScreenVertex::heights(vertices)?;
     let row = |y: SubPx| {
         let row = (y.to_bits().saturating_add(HALF_PX - 1)) >> SUBPX_BITS;
         row.clamp(0, u16::MAX.into()) as u16

@@ -10,5 +10,5 @@ mod screen_vertex;
 pub use clip_coordinates::ClipVertex;
 pub use meshlet::{TransformedMeshlet, surface_point, transform_meshlet, vertex};
 pub(crate) use projection::{guard, outcode};
-pub use projection::{outside, project};
+pub use projection::{outside, project, project_inside};
 pub use screen_vertex::{Rest, ScreenVertex};

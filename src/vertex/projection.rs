@@ -74,21 +74,27 @@ pub fn project(view: &ActorView, vertex: &ClipVertex) -> ScreenVertex {
     if outside != 0 {
         return ScreenVertex::beyond(outside).lit(level);
     }
-    let recip = reciprocal(vertex.distance as u32);
-    let z = view.depth.depth(vertex.distance, recip);
+    project_inside(view, clip).lit(level)
+}
+
+/// The same for clip coordinates that are known to be within all planes; not lit.
+#[inline(always)]
+pub fn project_inside(view: &ActorView, [x, y, distance]: [i32; 3]) -> ScreenVertex {
+    let recip = reciprocal(distance as u32);
+    let z = view.depth.depth(distance, recip);
     let (x, y) = if view.perspective {
         // (v << up) * mantissa / 2^32 is v / distance * 2^(29 - guard_shift),
         // and a 64th of a sub-pixel is 2^-(6 + lens's exponent) of it, which
         // is MAX_SCREEN's bits less guard_shift.
         let up = (recip.shift as i32 - view.guard_shift - 1).max(0) as u32;
         let divide = |v: i32| mul_high(v << up.min(31), recip.mantissa);
-        (divide(vertex.x), divide(vertex.y))
+        (divide(x), divide(y))
     } else {
-        (view.parallel(vertex.x), view.parallel(vertex.y))
+        (view.parallel(x), view.parallel(y))
     };
     let ([mx, my], (x, rest_x), (y, rest_y)) = (view.middle, split(x), split(y));
     let place = [x + mx, y + my].map(SubPx::from_bits);
-    ScreenVertex::new(place, Rest::new(rest_x, rest_y), z).lit(level)
+    ScreenVertex::new(place, Rest::new(rest_x, rest_y), z)
 }
 
 /// Bits that a projected position has beyond a sub-pixel's.

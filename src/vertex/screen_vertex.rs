@@ -121,6 +121,19 @@ impl ScreenVertex {
         (self.x | self.y) & OUTSIDE != 0
     }
 
+    /// The least and the most y of some; `None` if some have to be clipped.
+    pub(super) fn heights(vertices: &[Self]) -> Option<(SubPx, SubPx)> {
+        let (mut least, mut most, mut any) = (i32::MAX, i32::MIN, 0);
+        for vertex in vertices {
+            // What is below y decides only between equals.
+            let y = vertex.y as i32;
+            (least, most) = (least.min(y), most.max(y));
+            any |= vertex.x | vertex.y;
+        }
+        let place = |y: i32| SubPx::from_bits(y >> PLACE_SHIFT);
+        (any & OUTSIDE == 0).then_some((place(least), place(most)))
+    }
+
     /// Whether some are outside.
     #[inline(always)]
     pub fn any_outside<const N: usize>(all: [&Self; N]) -> bool {
