@@ -30,13 +30,39 @@ pub struct Reciprocal {
     pub shift: u32,
 }
 
+/// [`u32::leading_zeros`], which is a long function where it is no instruction.
+#[inline(always)]
+fn leading_zeros(value: u32) -> u32 {
+    if cfg!(narrow_multiply) {
+        leading_zeros_by_parts(value)
+    } else {
+        value.leading_zeros()
+    }
+}
+
+/// The same for values other than 0, by halving what is left.
+#[inline(always)]
+pub(super) fn leading_zeros_by_parts(mut value: u32) -> u32 {
+    const OF_FOUR_BITS: [u8; 16] = [4, 3, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
+    let mut count = 0;
+    for part in [16, 8, 4] {
+        if value >> (32 - part) == 0 {
+            value <<= part;
+            count += part;
+        }
+    }
+    #[expect(clippy::indexing_slicing, reason = "four bits index 16 entries")]
+    let last = OF_FOUR_BITS[(value >> 28) as usize];
+    count + u32::from(last)
+}
+
 /// The reciprocal of `value`. Relative error below 2^-28 for every value but
 /// 0, whose result is that of 1. A test goes over the whole range of seeds
 /// against f64.
 #[inline(always)]
 pub fn reciprocal(value: u32) -> Reciprocal {
     let value = value | u32::from(value == 0);
-    let shift = value.leading_zeros();
+    let shift = leading_zeros(value);
     let x = value << shift; // x / 2^31 in 1..2
 
     #[expect(clippy::indexing_slicing, reason = "eight bits index 256 entries")]

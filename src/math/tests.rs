@@ -156,6 +156,7 @@ mod worked_examples {
 
 mod quotients {
     use super::super::quotient::floor_by_reciprocal;
+    use super::super::recip::leading_zeros_by_parts;
     use super::super::wide::{mul_high_by_halves, mul_high_u, mul_high_u_by_halves};
     use super::super::*;
     use proptest::prelude::*;
@@ -173,6 +174,12 @@ mod quotients {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        #[test]
+        fn leading_zeros_are_the_same_by_parts(value in 1u32.., shift in 0u32..32) {
+            let value = (value >> shift).max(1);
+            prop_assert_eq!(leading_zeros_by_parts(value), value.leading_zeros());
+        }
 
         #[test]
         fn high_halves_are_the_same_by_either_way(a in factor(), b in factor()) {

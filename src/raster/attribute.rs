@@ -74,6 +74,13 @@ impl Attribute {
             .wrapping_add_signed(self.gradient.x.wrapping_mul(columns))
     }
 
+    /// The value `rows` below and `columns` to the right.
+    #[inline(always)]
+    pub(super) fn below(&self, rows: i32, columns: i32) -> u32 {
+        self.at(columns)
+            .wrapping_add_signed(self.gradient.y.wrapping_mul(rows))
+    }
+
     /// The same, held for the pixel `columns` to the right.
     pub(super) fn aside(self, columns: i32) -> Self {
         Self {

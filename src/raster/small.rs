@@ -31,16 +31,32 @@ pub(super) fn is_small(seen: &Seen, target: &Target<'_>) -> bool {
 }
 
 /// Of each row, from the leftmost vertex's column: the first pixel, and the one after the
-/// last.
-type Spans = [[u8; 2]; PIXELS];
+/// last; then the row's number, and a byte that makes it a word.
+type Spans = [[u8; 4]; PIXELS];
+
+/// Rows without pixels. Numbers are read back instead of counted: what is counted along
+/// takes registers through a row's pixels, which have none to spare.
+const EMPTY: Spans = {
+    let mut spans = [[0; 4]; PIXELS];
+    let mut row = 0;
+    while row < PIXELS {
+        #[expect(clippy::indexing_slicing, reason = "evaluated by the compiler")]
+        {
+            spans[row] = [0, 0, row as u8, 0];
+        }
+        row += 1;
+    }
+    spans
+};
 
 /// A small triangle of which a pixel was found.
 struct Small {
     spans: Spans,
     /// Rows that may have pixels.
     numbers: Range<usize>,
-    /// The leftmost column's place in the first of them, in the target.
+    /// The leftmost column's place in row 0, in the target.
     start: i32,
+    /// At the leftmost column of row 0.
     z: Attribute,
     level: Attribute,
 }
@@ -60,19 +76,22 @@ pub(super) fn fill_small(
     // Counter-clockwise on the screen: what goes down is on the left.
     let triangle = if seen.area < 0 { [a, b, c] } else { [a, c, b] };
     let mut small = Small {
-        spans: Spans::default(),
+        spans: EMPTY,
         numbers: 0..(end - first) as usize,
         start: (first - i32::from(target.top)) * i32::from(target.stride) + column,
         z: Attribute::default(),
         level: Attribute::default(),
     };
     find_spans(&mut small.spans, triangle, [column, first], end - first);
-    let Some(empty) = small.spans.iter().position(|[left, right]| left < right) else {
+    let Some(empty) = small
+        .spans
+        .iter()
+        .position(|[left, right, ..]| left < right)
+    else {
         return true;
     };
     small.numbers.start = empty;
-    small.start += empty as i32 * i32::from(target.stride);
-    let place = [column, first + empty as i32];
+    let place = [column, first];
     match fill {
         Fill::Depth => {}
         Fill::Flat(index) => {
@@ -93,7 +112,7 @@ pub(super) fn fill_small(
 
 /// Finds the pixels of `count` rows between the edges of a triangle, from a pixel on that
 /// is not right of it.
-#[inline(never)]
+#[inline(always)]
 fn find_spans(
     spans: &mut Spans,
     triangle: [&ScreenVertex; 3],
@@ -123,7 +142,7 @@ fn follow(spans: &mut Spans, from: [i32; 2], to: [i32; 2], count: i32) {
 
 /// The first pixel of a row, or the one after the last.
 #[inline(always)]
-fn side<const LEFT: bool>([left, right]: &mut [u8; 2]) -> &mut u8 {
+fn side<const LEFT: bool>([left, right, ..]: &mut [u8; 4]) -> &mut u8 {
     if LEFT { left } else { right }
 }
 
@@ -180,7 +199,7 @@ fn follow_down<const LEFT: bool>(
 
 impl Small {
     /// Sets depth and level at a pixel; `false` if they exceed the formats.
-    #[inline(never)]
+    #[inline(always)]
     fn set_planes<const LEVEL: bool>(
         &mut self,
         triangle: [&ScreenVertex; 3],
@@ -230,24 +249,22 @@ impl Small {
     #[inline(always)]
     fn draw(&self, target: &mut Target<'_>, draw: impl Fn(Span<'_>, u32, i32, u32, i32)) {
         let stride = i32::from(target.stride);
-        let (mut start, mut z, mut level) = (self.start, self.z, self.level);
         let spans = self.spans.get(self.numbers.clone()).unwrap_or_default();
-        for [left, right] in spans {
-            let [left, right] = [*left, *right].map(i32::from);
+        for [left, right, row, _] in spans {
+            let [left, right, row] = [*left, *right, *row].map(i32::from);
             if left < right {
+                let start = self.start + row * stride;
                 let pixels = (start + left) as usize..(start + right) as usize;
                 if let (Some(indices), Some(depths)) = (
                     target.indices.get_mut(pixels.clone()),
                     target.depths.get_mut(pixels),
                 ) {
                     let span = Span { indices, depths };
-                    let (z_here, level_here) = (z.at(left), level.at(left));
+                    let Self { z, level, .. } = self;
+                    let (z_here, level_here) = (z.below(row, left), level.below(row, left));
                     draw(span, z_here, z.gradient.x, level_here, level.gradient.x);
                 }
             }
-            z.advance();
-            level.advance();
-            start += stride;
         }
     }
 }
