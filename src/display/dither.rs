@@ -53,6 +53,9 @@ impl Ordered {
     pub const BLUE_NOISE: Self = Self(blue_noise);
 }
 
+/// Columns after which every pattern repeats.
+const PERIOD: usize = 32;
+
 impl Dither for Ordered {
     fn row(
         &mut self,
@@ -61,8 +64,13 @@ impl Dither for Ordered {
         tones: impl DoubleEndedIterator<Item = Tone> + ExactSizeIterator,
         mut put: impl FnMut(usize, u8),
     ) {
+        let mut thresholds = [0; PERIOD];
+        for (x, threshold) in (0..).zip(&mut thresholds) {
+            *threshold = (self.0)([x, y.into()]);
+        }
         for (x, tone) in tones.enumerate() {
-            let threshold = (self.0)([x as i32, y.into()]);
+            #[expect(clippy::indexing_slicing, reason = "it is below the length")]
+            let threshold = thresholds[x % PERIOD];
             let level = (i32::from(tone) + threshold) >> 8;
             put(x, (level as u8).min(most));
         }

@@ -56,23 +56,32 @@ impl Packing {
         }
     }
 
-    /// The byte of a pixel, and by how much its level is shifted there.
-    const fn place(self, x: usize, y: u16) -> (usize, u8) {
+    /// Logarithms of the pixels of a row in a byte and of a pixel's bits, and by how much the
+    /// level of a byte's first pixel is shifted.
+    const fn places(self, y: u16) -> (u8, u8, u8) {
         match self {
-            Self::Rows1 => (x >> 3, 7 - (x as u8 & 7)),
-            Self::Rows2 => (x >> 2, 6 - 2 * (x as u8 & 3)),
-            Self::Rows4 => (x >> 1, 4 - 4 * (x as u8 & 1)),
-            Self::Pages => (x, y as u8 & 7),
+            Self::Rows1 => (3, 0, 7),
+            Self::Rows2 => (2, 1, 6),
+            Self::Rows4 => (1, 2, 4),
+            Self::Pages => (0, 0, y as u8 & 7),
         }
     }
 
     /// The level of a pixel in the bytes of its row or page; 0 if it is past them.
     pub fn level(self, bytes: &[u8], x: usize, y: u16) -> u8 {
-        let (byte, shift) = self.place(x, y);
+        let (in_byte, log_bits, first) = self.places(y);
+        let (byte, shift) = place(x, in_byte, log_bits, first);
         bytes
             .get(byte)
             .map_or(0, |byte| byte >> shift & self.most())
     }
+}
+
+/// The byte of a pixel, and by how much its level is shifted there.
+#[inline(always)]
+const fn place(x: usize, in_byte: u8, log_bits: u8, first: u8) -> (usize, u8) {
+    let within = x as u8 & ((1 << in_byte) - 1);
+    (x >> in_byte, first - (within << log_bits))
 }
 
 /// Shows frames on a panel of 1, 2 or 4 bits a pixel: a palette entry's grey is dithered to
@@ -145,6 +154,25 @@ impl<'a, D: Dither, R: PackedRows> Packed<'a, D, R> {
     }
 }
 
+/// One row's levels into its bytes; the constants are those of [`place`], because small cores
+/// have few registers.
+#[inline(never)]
+fn pack<D: Dither, const IN_BYTE: u8, const LOG_BITS: u8>(
+    dither: &mut D,
+    y: u16,
+    first: u8,
+    tones: impl DoubleEndedIterator<Item = Tone> + ExactSizeIterator,
+    bytes: &mut [u8],
+) {
+    let most = (1 << (1 << LOG_BITS)) - 1;
+    dither.row(y, most, tones, |x, level| {
+        let (byte, shift) = place(x, IN_BYTE, LOG_BITS, first);
+        if let Some(byte) = bytes.get_mut(byte) {
+            *byte |= level << shift;
+        }
+    });
+}
+
 impl<D: Dither, R: PackedRows> Packer<'_, D, R> {
     fn row(
         &mut self,
@@ -158,12 +186,13 @@ impl<D: Dither, R: PackedRows> Packer<'_, D, R> {
             bytes.fill(0);
         }
         let width = tones.len().min(usize::from(u16::MAX)) as u16;
-        self.dither.row(y, packing.most(), tones, |x, level| {
-            let (byte, shift) = packing.place(x, y);
-            if let Some(byte) = bytes.get_mut(byte) {
-                *byte |= level << shift;
-            }
-        });
+        let dither = &mut self.dither;
+        match packing {
+            Packing::Rows1 => pack::<_, 3, 0>(dither, y, 7, tones, bytes),
+            Packing::Rows2 => pack::<_, 2, 1>(dither, y, 6, tones, bytes),
+            Packing::Rows4 => pack::<_, 1, 2>(dither, y, 4, tones, bytes),
+            Packing::Pages => pack::<_, 0, 0>(dither, y, y as u8 & 7, tones, bytes),
+        }
         if pages && y % 8 != 7 && y.saturating_add(1) != self.height {
             return Ok(());
         }
