@@ -46,6 +46,7 @@ const CHANGES: u8 = 0xFF;
 pub struct Ssd1680<'a, B> {
     link: Link,
     busy: B,
+    timer: Timer,
     waited: &'a Waited,
     shown: &'a mut [[u8; PAGE]; PAGES],
     /// Changes since everything was drawn; none yet if there is no number.
@@ -58,13 +59,14 @@ impl<'a, B: InputPin> Ssd1680<'a, B> {
         link: Link,
         reset: &mut impl OutputPin,
         busy: B,
-        timer: &mut Timer,
+        mut timer: Timer,
         shown: &'a mut [[u8; PAGE]; PAGES],
         waited: &'a Waited,
     ) -> Self {
         let mut panel = Self {
             link,
             busy,
+            timer,
             waited,
             shown,
             changes: None,
@@ -72,10 +74,8 @@ impl<'a, B: InputPin> Ssd1680<'a, B> {
         let _ = reset.set_low();
         timer.delay_ms(1);
         let _ = reset.set_high();
-        timer.delay_ms(1);
         panel.wait();
         panel.link.command(RESET, &[]);
-        timer.delay_ms(1);
         panel.wait();
         let [low, high] = (SIZE.0 - 1).to_le_bytes();
         panel.link.command(GATES, &[low, high, 0]);
@@ -110,7 +110,9 @@ impl<'a, B: InputPin> Ssd1680<'a, B> {
         self.link.end();
     }
 
+    /// Waits for the panel, which takes its time to say that it is busy.
     fn wait(&mut self) {
+        self.timer.delay_ms(1);
         while self.busy.is_high().unwrap_or(false) {}
     }
 }

@@ -37,12 +37,9 @@ pub fn run(firmware: &Demo) -> Result<()> {
         return Ok(());
     }
     if debian::which("probe-rs").is_some() {
-        let mut command = Command::new("probe-rs");
-        command
-            .args(["run", "--chip", "RP2040", "--no-catch-reset"])
-            .arg(&firmware.path);
-        command.args(["--disable-progressbars"]);
-        return child::visibly(&mut command);
+        let mut download = probe("download");
+        child::visibly(download.arg(&firmware.path))?;
+        return child::visibly(&mut probe("reset"));
     }
     Err(format!(
         "no RP2040 is connected: hold its BOOTSEL button while you plug it in, so that the \
@@ -50,6 +47,12 @@ pub fn run(firmware: &Demo) -> Result<()> {
         uf2.display()
     )
     .into())
+}
+
+fn probe(subcommand: &str) -> Command {
+    let mut command = Command::new("probe-rs");
+    command.args([subcommand, "--chip", "RP2040"]);
+    command
 }
 
 /// Where drives may be: what Linux says is mounted, macOS's volumes, Windows' letters.

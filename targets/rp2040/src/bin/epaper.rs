@@ -32,7 +32,7 @@ fn main() -> ! {
         board.link,
         &mut board.reset,
         board.busy,
-        &mut board.timer,
+        board.timer,
         shown,
         &waited,
     );
