@@ -10,6 +10,8 @@ mod faulty;
 mod overlay;
 mod packed;
 mod resolve;
+mod resolve_packed;
+mod samples;
 
 use crate::frame::BandRows;
 use crate::palette::Palette;
@@ -23,6 +25,7 @@ pub use faulty::{Fault, Faulty};
 pub use overlay::{Ink, Overlay, PaletteIndex};
 pub use packed::{Packed, PackedRows, Packing};
 pub use resolve::{Resolve, Rgb565Rows};
+pub use resolve_packed::ResolvePacked;
 
 /// A panel, or anything that takes rows from the top of the screen to its
 /// bottom.

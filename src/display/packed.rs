@@ -140,6 +140,11 @@ impl<'a, D: Dither, R: PackedRows> Packed<'a, D, R> {
         &mut self.packer.rows
     }
 
+    /// How its pixels lie in bytes.
+    pub fn packing(&self) -> Packing {
+        self.packer.packing
+    }
+
     /// Shows one row of tones, for what does not come from the palette. Rows come from
     /// the top of the screen to its bottom.
     ///

@@ -1,5 +1,6 @@
 use super::*;
 use crate::palette::rgb565;
+use crate::scene::Stereo;
 use core::convert::Infallible;
 use std::vec::Vec;
 

@@ -64,10 +64,10 @@ pub extern "C" fn scene(length: usize) -> *mut u8 {
 /// rows. Gives 0, or 1 after a line that says what is wrong.
 #[unsafe(no_mangle)]
 pub extern "C" fn render(length: usize, from: u32, to: u32, band_rows: u32) -> u32 {
-    let memory = &raw mut MEMORY;
+    let (scene, memory) = (&raw const SCENE, &raw mut MEMORY);
     // SAFETY: the module has one thread, the imports do not call back, and the host
     // writes to the scene only between calls.
-    let (scene, memory) = unsafe { (&*(&raw const SCENE), &mut *memory) };
+    let (scene, memory) = unsafe { (&*scene, &mut *memory) };
     let job = Job {
         from,
         to,

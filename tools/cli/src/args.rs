@@ -109,6 +109,9 @@ pub struct Bake {
     /// With what the ray caster needs: a hierarchy of boxes over each mesh, and more.
     #[arg(long)]
     pub ray: bool,
+    /// For the rasteriser alone, though the scene asks for rays.
+    #[arg(long, conflicts_with = "ray")]
+    pub raster: bool,
 }
 
 #[derive(Debug, Args)]

@@ -21,6 +21,16 @@ pub fn run(args: &args::Bake) -> Result<()> {
         }
         input.scene.palette.colours = colours;
     }
+    if !(args.ray || args.raster)
+        && input.baked.is_none()
+        && let Some(why) = input.scene.asks_for_rays()
+    {
+        bail!(
+            "{}: {why} asks for rays, which firmware casts only if --ray bakes what they need; \
+             expected --ray, or --raster for triangles alone",
+            args.scene.display()
+        );
+    }
     let options = baked::Options {
         max_triangles: args.max_triangles,
         ray: args.ray,

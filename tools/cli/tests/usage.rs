@@ -112,3 +112,24 @@ fn what_is_not_there_yet_says_so() {
         .collect();
     assert_eq!(marked, ["view", "estimate"]);
 }
+
+#[test]
+fn a_scene_that_asks_for_rays_says_how_it_is_baked() {
+    let folder = Folder::new();
+    let scene = "[[light]]\nkind = \"directional\"\ndirection = [0, -1, -1]\n\
+                 [[material]]\nname = \"mirror\"\nreflectivity = 0.5\n\
+                 [[actor]]\nsphere = 1\nmaterial = \"mirror\"\n";
+    folder.write("mirror.toml", scene);
+    let message = folder.fixel("bake mirror.toml -o a.fxl").fails();
+    for part in ["mirror.toml", "reflectivity", "--ray", "--raster"] {
+        assert!(message.contains(part), "{message}");
+    }
+    folder.fixel("bake mirror.toml -o a.fxl --ray").ok();
+    folder.fixel("bake mirror.toml -o b.fxl --raster").ok();
+    assert_ne!(
+        std::fs::read(folder.path("a.fxl")).expect("baked"),
+        std::fs::read(folder.path("b.fxl")).expect("baked")
+    );
+    let both = folder.fixel("bake mirror.toml -o a.fxl --ray --raster");
+    assert_eq!(both.code(), 2);
+}

@@ -43,12 +43,15 @@ pub struct Board {
     pub machine: Machine,
     /// Scenes that are compared there; all if there is no list.
     pub scenes: Option<&'static [&'static str]>,
+    /// The scene that it shows if no other is asked for.
+    pub scene: &'static str,
 }
 
 /// One scene of each kind of inner loop: flat, Gouraud and textured spans, colours,
-/// fog with blending, lines, and rays.
-const EVERY_KERNEL: [&str; 8] = [
+/// fog with blending, the same without a palette, lines, and rays.
+const EVERY_KERNEL: [&str; 9] = [
     "blend_fog",
+    "direct_fog",
     "lines_markers_text",
     "many_actors",
     "r3_spheres_whitted",
@@ -83,6 +86,7 @@ pub const BOARDS: [Board; 3] = [
             0x0020_0000,
         ),
         scenes: None,
+        scene: "teapot",
     },
     Board {
         name: "cortex-m4f",
@@ -95,6 +99,7 @@ pub const BOARDS: [Board; 3] = [
             0x0020_0000,
         ),
         scenes: None,
+        scene: "teapot",
     },
     Board {
         name: "riscv32imc",
@@ -109,6 +114,7 @@ pub const BOARDS: [Board; 3] = [
             scene_address: 0x8080_0000,
         }),
         scenes: None,
+        scene: "teapot",
     },
 ];
 
@@ -122,6 +128,7 @@ pub const OTHERS: [Board; 6] = [
         features: Some("microbit,gouraud"),
         machine: arm(&["-machine", "microbit"], 0x0002_0000),
         scenes: Some(&SMALL),
+        scene: "teapot_128x64",
     },
     Board {
         name: "cortex-m3",
@@ -134,6 +141,7 @@ pub const OTHERS: [Board; 6] = [
             0x0020_0000,
         ),
         scenes: Some(&EVERY_KERNEL),
+        scene: "teapot",
     },
     Board {
         name: "cortex-m7",
@@ -146,6 +154,7 @@ pub const OTHERS: [Board; 6] = [
             0x0020_0000,
         ),
         scenes: Some(&EVERY_KERNEL),
+        scene: "teapot",
     },
     Board {
         name: "cortex-m33",
@@ -155,6 +164,7 @@ pub const OTHERS: [Board; 6] = [
         features: None,
         machine: arm(&["-machine", "mps2-an505"], 0x1020_0000),
         scenes: Some(&EVERY_KERNEL),
+        scene: "teapot",
     },
     Board {
         name: "wasm",
@@ -164,6 +174,7 @@ pub const OTHERS: [Board; 6] = [
         features: None,
         machine: Machine::Node("run.mjs"),
         scenes: Some(&EVERY_KERNEL),
+        scene: "teapot",
     },
     Board {
         name: "gba",
@@ -173,10 +184,16 @@ pub const OTHERS: [Board; 6] = [
         features: None,
         machine: Machine::Mgba,
         scenes: Some(&EVERY_KERNEL),
+        scene: "teapot",
     },
 ];
 
 impl Board {
+    /// Whether its firmware is an ELF file.
+    pub fn is_elf(&self) -> bool {
+        !matches!(self.machine, Machine::Node(_))
+    }
+
     /// Whether a scene is compared there.
     pub fn takes(&self, scene: &str) -> bool {
         self.scenes.is_none_or(|scenes| scenes.contains(&scene))

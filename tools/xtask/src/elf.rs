@@ -17,6 +17,8 @@ pub struct Image {
     pub flash_bytes: u64,
     /// Bytes of statics, initialised or zero.
     pub static_ram_bytes: u64,
+    /// Those of them that are not zero at the start, and are in flash for that.
+    pub initialised_bytes: u64,
     /// Bytes of the scene linked in; they are part of the flash.
     pub scene_bytes: u64,
     /// Names of everything linked in.
@@ -48,6 +50,9 @@ impl Image {
             }
             if zero || writable {
                 image.static_ram_bytes += section.size();
+            }
+            if writable && !zero {
+                image.initialised_bytes += section.size();
             }
         }
         for symbol in file.symbols().filter(|symbol| symbol.is_definition()) {

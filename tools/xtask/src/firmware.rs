@@ -78,9 +78,17 @@ impl Parts {
     }
 }
 
-/// Builds the demo firmware of a board with a scene linked in.
+/// Builds the demo firmware of a board with a scene linked in. A board with features of
+/// its own links those parts.
 pub fn demo(board: &Board, scene: &scene::Baked, parts: Parts) -> Result<Demo> {
-    build_demo(board, scene, parts.features())
+    build_demo(board, scene, &demo_features(board, parts))
+}
+
+fn demo_features(board: &Board, parts: Parts) -> String {
+    match board.features {
+        Some(own) => format!("demo,{own}"),
+        None => parts.features().to_owned(),
+    }
 }
 
 /// Builds a demo that breaks the promises which are checked on every demo.
@@ -142,8 +150,11 @@ pub fn host_program(
 pub fn clippy(board: &Board, scene: &scene::Baked) -> Result<()> {
     let route = with_clippy(board.target)?;
     let mut command = cargo(route, board, "clippy");
+    if board.is_elf() {
+        let features = demo_features(board, Parts::All);
+        command.args(["--no-default-features", "--features", &features]);
+    }
     command
-        .args(["--features", "demo"])
         .env("FIXEL_SCENE", &scene.path)
         .args(["--", "-D", "warnings"]);
     child::visibly(&mut command)

@@ -3,7 +3,7 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::board::{BOARDS, Board};
+use crate::board::{self, BOARDS, Board};
 use crate::firmware::Parts;
 use crate::problem::Result;
 use crate::report::{Tally, table};
@@ -95,6 +95,17 @@ struct Footprint {
     static_ram: u64,
     stack: u64,
     mesh: u64,
+}
+
+/// Builds the demo firmware of the boards that are not measured, and checks what it
+/// holds.
+pub fn of_others(tally: &mut Tally) {
+    for board in board::OTHERS.iter().filter(|board| board.is_elf()) {
+        let demo = scene::bake(board.scene)
+            .and_then(|baked| firmware::demo(board, &baked, Parts::All))
+            .and_then(|demo| promises(&demo.image));
+        tally.check(&format!("promises of {}", board.name), demo);
+    }
 }
 
 /// Builds the demo firmware of each case on every board, checks it, and runs it for
@@ -206,7 +217,11 @@ fn stack_bytes(text: &str) -> Result<u64> {
     stack.ok_or_else(|| format!("the firmware did not say how deep its stack went: {text}").into())
 }
 
-/// Fails if a firmware floats, allocates or could panic.
+/// Most bytes of statics that are not zero at the start. The working memory is all zero: as
+/// much flash as RAM, otherwise, and a start that copies it.
+const INITIALISED_LIMIT: u64 = 256;
+
+/// Fails if a firmware floats, allocates, could panic, or keeps working memory in flash.
 pub fn promises(image: &elf::Image) -> Result<()> {
     let broken = elf::broken(image.symbols.iter().map(String::as_str));
     if !broken.floats.is_empty() {
@@ -217,6 +232,10 @@ pub fn promises(image: &elf::Image) -> Result<()> {
     }
     if !broken.panics.is_empty() {
         return Err(format!("it could panic: {}", broken.panics.join(", ")).into());
+    }
+    if image.initialised_bytes > INITIALISED_LIMIT {
+        let bytes = image.initialised_bytes;
+        return Err(format!("{bytes} bytes of statics that are not zero").into());
     }
     Ok(())
 }
@@ -316,6 +335,16 @@ mod tests {
         };
         assert!(limits(&BOARDS[0], &CASES[0], large).is_err());
         assert!(limits(&BOARDS[0], &CASES[0], Footprint { mesh: 0, ..SMALL }).is_err());
+    }
+
+    #[test]
+    fn working_memory_in_flash_is_found() {
+        let image = |initialised_bytes| elf::Image {
+            initialised_bytes,
+            ..elf::Image::default()
+        };
+        assert!(promises(&image(INITIALISED_LIMIT)).is_ok());
+        assert!(promises(&image(28_000)).is_err());
     }
 
     #[test]

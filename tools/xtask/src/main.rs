@@ -98,7 +98,8 @@ enum Task {
     /// limits.
     Footprint(Json),
     /// Build the demo firmware of a board with a scene linked in; prints the
-    /// ELF file's path. For an RP2040 there is a UF2 file beside it.
+    /// ELF file's path. For an RP2040 there is a UF2 file beside it. WebAssembly has no
+    /// demo: its module takes a scene at run time.
     #[command(after_help = device::list())]
     Firmware(OnBoard),
     /// Render one frame on a board in its emulator, and write what its panel
@@ -152,7 +153,7 @@ impl OnBoard {
     /// The scene asked for, or the board's.
     fn scene(&self) -> &str {
         let usual = match self.board {
-            Named::Board(_) => "teapot",
+            Named::Board(board) => board.scene,
             Named::Device(device) => device.scene,
         };
         self.scene.as_deref().unwrap_or(usual)

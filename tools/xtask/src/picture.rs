@@ -10,8 +10,11 @@ use crate::problem::Result;
 use crate::{elf, firmware, gba, paths, scene};
 
 /// Builds the demo firmware with a scene linked in; gives the file that goes to the
-/// board: an ELF file, or a cartridge.
+/// board: an ELF file, or a cartridge. WebAssembly takes its scene at run time.
 pub fn build(board: &Board, scene_name: &str) -> Result<PathBuf> {
+    if !board.is_elf() {
+        return firmware::measuring(board);
+    }
     let baked = scene::bake(scene_name)?;
     let demo = firmware::demo(board, &baked, Parts::All)?;
     say_size(board.name, &demo.image);
@@ -55,12 +58,16 @@ pub fn run(
     let line = lines.first().ok_or("no frame")?;
     let panel = fs::read(&raw).map_err(|error| format!("{}: {error}", raw.display()))?;
     write_png(to, line.width, line.height, &rgb888(&panel))?;
+    let counted = match line.count {
+        0 => "not counted".into(),
+        count if board.is_elf() => format!("{count} instructions"),
+        count => format!("{count} ns"),
+    };
     eprintln!(
-        "{}: frame {}, {} pixels covered, {} instructions, {}",
+        "{}: frame {}, {} pixels covered, {counted}, {}",
         board.name,
         line.frame,
         line.covered,
-        line.count,
         to.display()
     );
     Ok(())

@@ -70,6 +70,20 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// What of the scene only rays show, if it says anything of them.
+    pub fn asks_for_rays(&self) -> Option<&'static str> {
+        let any = |of: fn(&Material) -> bool| self.materials.iter().any(of);
+        if self.ray != Ray::default() {
+            Some("[ray]")
+        } else if any(|material| material.reflectivity > 0.0) {
+            Some("reflectivity")
+        } else if any(|material| material.refractive_index != 1.0) {
+            Some("refractive_index")
+        } else {
+            None
+        }
+    }
+
     /// What an actor is a part of: its parent if it is a further part of that, else
     /// itself.
     pub fn whole(&self, actor: usize) -> usize {
