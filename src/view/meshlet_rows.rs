@@ -17,7 +17,8 @@ impl MeshletRows {
     /// For the vertices of `meshlet`.
     pub fn new(view: &ActorView, meshlet: &Meshlet) -> Self {
         // Vertices of a fine mesh come in grid steps.
-        let shifts = if view.mesh.fine.is_some() {
+        let fine = view.mesh.fine.is_some();
+        let shifts = if fine {
             [0; 3]
         } else {
             meshlet.shifts
@@ -30,11 +31,11 @@ impl MeshletRows {
             // An entry times a vertex's distance is within the mesh's reach,
             // whichever of the two has the power of two.
             let entries = [a.wrapping_shl(sx), b.wrapping_shl(sy), c.wrapping_shl(sz)];
-            Row::new(entries, constant + base)
+            Row::new(entries, constant + base, fine)
         };
         Self {
             rows: [row(rx, cx), row(ry, cy), row(rd, cd)],
-            fine: view.mesh.fine.is_some(),
+            fine,
         }
     }
 

@@ -12,6 +12,7 @@ mod grid;
 mod group;
 mod instance;
 mod light;
+mod light_error;
 mod look;
 mod mesh;
 mod meshlet;

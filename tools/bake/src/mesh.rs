@@ -10,6 +10,7 @@ use glam::{DVec3, IVec3};
 use crate::grid::{Bounds, Grid, Shifts};
 use crate::group::{Group, groups};
 use crate::instance::Instance;
+use crate::light_error::wrong_share;
 use crate::meshlet::clusters;
 use crate::snap::{place, snap};
 use crate::{BakeError, Problem, coordinates, normal};
@@ -17,8 +18,12 @@ use crate::{BakeError, Problem, coordinates, normal};
 /// A mesh of so many triangles may take 4 bytes more a vertex to be exact to 22
 /// bits an axis: large faces that the eye stands close to need it, and flash does
 /// not notice. Larger ones take them for 4 more bits an axis of their normals, if
-/// these show ([`Instance::glossy`]).
+/// these show ([`Instance::glossy`], [`WRONG_SHARE`]).
 const FINE_TRIANGLES: usize = 512;
+/// Most of a lit surface whose level may be off by more than 2 of 255 before its mesh
+/// takes finer normals. Half of the percent that a picture is allowed: it may show the
+/// worst side.
+const WRONG_SHARE: f64 = 0.005;
 
 /// A triangle, an edge or a vertex of the description.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,7 +116,9 @@ impl Parts {
             .collect();
 
         let coarse = shifts.iter().flatten().any(|s| *s > 0);
-        shape.fine = instance.glossy || coarse && shape.triangles.len() <= FINE_TRIANGLES;
+        shape.fine = instance.glossy
+            || coarse && shape.triangles.len() <= FINE_TRIANGLES
+            || instance.smooth && shape.wrong_share() > WRONG_SHARE;
 
         // A vertex is on the coarsest grid of the meshlets that share it.
         let mut coarsest: HashMap<_, Shifts> = HashMap::new();
@@ -300,6 +307,11 @@ impl Shape {
             flat: instance.flat,
             fine: false,
         })
+    }
+
+    /// See [`wrong_share`].
+    fn wrong_share(&self) -> f64 {
+        wrong_share(&self.positions, &self.normals, &self.triangles)
     }
 
     fn face_normal(&self, triangle: &[u32; 3]) -> DVec3 {
