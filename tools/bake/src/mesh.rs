@@ -19,7 +19,7 @@ use crate::{BakeError, Problem, coordinates, normal};
 /// bits an axis: large faces that the eye stands close to need it, and flash does
 /// not notice. Larger ones take them for 4 more bits an axis of their normals, if
 /// these show ([`Instance::glossy`], [`WRONG_SHARE`]).
-const FINE_TRIANGLES: usize = 512;
+const FINE_TRIANGLES: usize = 1024;
 /// Most of a lit surface whose level may be off by more than 2 of 255 before its mesh
 /// takes finer normals. Half of the percent that a picture is allowed: it may show the
 /// worst side.
