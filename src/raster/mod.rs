@@ -23,7 +23,7 @@ mod surface_planes;
 mod triangle;
 
 pub use corners::{Corner, SurfaceKind};
-pub use run::{LONGEST_RUN, MOST_ATTRIBUTES, RUN_FRACTION, Run, Shade, Values};
+pub use run::{Footprint, LONGEST_RUN, MOST_ATTRIBUTES, RUN_FRACTION, Run, Shade, Values};
 pub use span::Fill;
 pub use surface::draw_surface;
 pub use triangle::{Drawn, How, Sides, draw_depth, draw_triangle};

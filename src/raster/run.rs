@@ -39,10 +39,19 @@ pub struct Run<'t, const A: usize, C = u8> {
     pub step: Values<A>,
     /// How that changes from pixel to pixel.
     pub bend: Values<A>,
-    /// Change of the first two from row to row at the first pixel, where asked for.
-    pub down: [i32; 2],
+    /// The first pixel's footprint, where asked for.
+    pub footprint: Footprint,
     /// How that changes from pixel to pixel.
-    pub down_step: [i32; 2],
+    pub footprint_step: Footprint,
+}
+
+/// How the first two attributes change at a pixel's centre, or how that changes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Footprint {
+    /// From pixel to pixel.
+    pub across: [i32; 2],
+    /// From row to row.
+    pub down: [i32; 2],
 }
 
 impl<const A: usize, C: Copy> Run<'_, A, C> {

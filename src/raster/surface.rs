@@ -9,7 +9,7 @@
 
 use super::corners::{Corner, Corners, SurfaceKind};
 use super::gradient::places;
-use super::run::{Run, Shade};
+use super::run::{Footprint, Run, Shade};
 use super::scan::{Shape, Span, scan};
 use super::sliver::{mix, weights};
 use super::surface_planes::Surface;
@@ -90,8 +90,8 @@ fn sliver<const A: usize, C>(
             from,
             step: [0; A],
             bend: [0; A],
-            down: [0; 2],
-            down_step: [0; 2],
+            footprint: Footprint::default(),
+            footprint_step: Footprint::default(),
         });
     }
 }

@@ -3,7 +3,7 @@
 use super::attributes::Attributes;
 use super::corners::{Corners, SurfaceKind};
 use super::gradient::Plane;
-use super::run::{LONGEST_RUN, MOST_ATTRIBUTES, RUN_FRACTION, Run, Shade, Values};
+use super::run::{Footprint, LONGEST_RUN, MOST_ATTRIBUTES, RUN_FRACTION, Run, Shade, Values};
 use super::scan::{Shape, Span, Stepped};
 use crate::frame::Stored;
 use crate::math::{HALF_PX, Reciprocal, SUBPX_BITS, mul_high, reciprocal};
@@ -135,7 +135,7 @@ impl<const A: usize> Surface<A> {
         } = span;
         let z = &self.depth.z;
         let mut from = self.here(left - column, &Here::default());
-        let (mut down, mut down_step) = (self.down(&from), [0; 2]);
+        let mut footprint = self.footprint(&from);
         loop {
             let last = indices.len() as i32 - 1;
             let pixels = self.run(&from).min(last);
@@ -143,14 +143,8 @@ impl<const A: usize> Surface<A> {
             let [step, bend] = self.steps(&from, &to, pixels);
             // The last run has its last pixel too.
             let count = if pixels == last { last + 1 } else { pixels };
-            // The last run goes on as the one before: its end is no run's beginning.
-            let next_down = if pixels == last {
-                down
-            } else {
-                let next = self.down(&to);
-                down_step = self.down_step(down, next, pixels);
-                next
-            };
+            let next = self.footprint(&to);
+            let footprint_step = self.footprint_step(footprint, next, pixels);
             let (Some(here), Some(here_depths)) = (
                 indices.get_mut(..count as usize),
                 depths.get_mut(..count as usize),
@@ -165,24 +159,24 @@ impl<const A: usize> Surface<A> {
                 from: from.values,
                 step,
                 bend,
-                down,
-                down_step,
+                footprint,
+                footprint_step,
             });
             (indices, depths) = match (indices.get_mut(drawn..), depths.get_mut(drawn..)) {
                 (Some(rest), Some(rest_depths)) if !rest.is_empty() => (rest, rest_depths),
                 _ => return,
             };
             left += drawn as i32;
-            (from, down) = (to, next_down);
+            (from, footprint) = (to, next);
             if drawn as i32 != pixels {
                 from = self.here(left - column, &Here::default());
-                down = self.down(&from);
+                footprint = self.footprint(&from);
             }
         }
     }
 
     /// How many pixels a parabola is good for: nearness changes by less than a quarter
-    /// (of outlines an 8th), so that the parabola is off by less than a 200th (an 800th)
+    /// (of outlines a 32nd), so that the parabola is off by less than a 200th (a 12,800th)
     /// of the run's change.
     #[inline(always)]
     fn run(&self, here: &Here<A>) -> i32 {
@@ -192,7 +186,7 @@ impl<const A: usize> Surface<A> {
         // Rounded up.
         let change = (self.nearness.x.unsigned_abs() >> 16) as u32 + 1;
         let (room, mut bits) = if self.kind.outlined {
-            (here.nearness >> 3, RUN.ilog2() - 1)
+            (here.nearness >> 5, RUN.ilog2() - 1)
         } else {
             (here.nearness >> 2, RUN.ilog2())
         };
@@ -229,43 +223,57 @@ impl<const A: usize> Surface<A> {
         }
     }
 
-    /// How the change from row to row changes from pixel to pixel between two that are
-    /// `pixels` apart.
+    /// How a footprint changes from pixel to pixel between two that are `pixels` apart.
     #[inline(always)]
-    fn down_step(&self, from: [i32; 2], to: [i32; 2], pixels: i32) -> [i32; 2] {
+    fn footprint_step(&self, from: Footprint, to: Footprint, pixels: i32) -> Footprint {
         if !self.kind.footprint {
-            return [0; 2];
+            return Footprint::default();
         }
         let over = OVER.get(pixels as usize).copied().unwrap_or(0);
         let part = |from: i32, to: i32| mul_high(to.wrapping_sub(from), over) << 1;
-        let ([a, b], [c, d]) = (from, to);
-        [part(a, c), part(b, d)]
+        let parts = |[a, b]: [i32; 2], [c, d]: [i32; 2]| [part(a, c), part(b, d)];
+        Footprint {
+            across: parts(from.across, to.across),
+            down: parts(from.down, to.down),
+        }
     }
 
-    /// The change of the first two from row to row, where asked for: (P' - a N') / N for
-    /// the attribute a = P / N.
+    /// The footprint of a pixel, where asked for.
     #[inline(always)]
-    fn down(&self, here: &Here<A>) -> [i32; 2] {
-        let mut down = [0; 2];
+    fn footprint(&self, here: &Here<A>) -> Footprint {
         if !self.kind.footprint {
-            return down;
+            return Footprint::default();
         }
+        Footprint {
+            across: self.change(here, |plane| plane.x),
+            down: self.change(here, |plane| plane.y),
+        }
+    }
+
+    /// The change of the first two attributes along an axis: (P' - a N') / N for the
+    /// attribute a = P / N.
+    #[inline(always)]
+    fn change(&self, here: &Here<A>, along: impl Fn(&Linear) -> i64) -> [i32; 2] {
+        let mut changes = [0; 2];
         let all = self.attributes.iter().zip(self.shifts).zip(here.values);
         if !self.perspective {
-            for (((attribute, _), _), down) in all.zip(&mut down) {
-                *down = (attribute.y >> 16) as i32;
+            for (((attribute, _), _), change) in all.zip(&mut changes) {
+                *change = (along(attribute) >> 16) as i32;
             }
-            return down;
+            return changes;
         }
-        let narrow = |v: i64| (v >> 16).clamp(-(1 << 30), 1 << 30) as i32;
-        // How nearness changes in its own terms, 14 fractional bits.
-        let ratio = quotient(narrow(self.nearness.y), here.recip, 1);
-        for (((attribute, shift), value), down) in all.zip(&mut down) {
-            let own = quotient(narrow(attribute.y), here.recip, shift);
-            let lens = ((i64::from(value) * i64::from(ratio)) >> RUN_FRACTION) as i32;
-            *down = own.wrapping_sub(lens);
+        // As they are: whole parts have 30 bits.
+        let whole = |v: i64| (v >> 16).clamp(-(1 << 30), 1 << 30);
+        let nearer = whole(along(&self.nearness)) << 1;
+        for (((attribute, shift), value), change) in all.zip(&mut changes) {
+            // In the units of the product; in 64 bits, as far from the origin of a
+            // texture that repeats often P' and a N' are all but the same.
+            let down = i32::from(shift) + RUN_FRACTION as i32;
+            let lens = (i64::from(value) * nearer) >> (down & 63);
+            let own = (whole(along(attribute)) - lens).clamp(-(1 << 31), (1 << 31) - 1);
+            *change = quotient(own as i32, here.recip, shift);
         }
-        down
+        changes
     }
 
     /// The first pixel's change and how it changes, over `pixels` steps: a parabola with
@@ -277,20 +285,21 @@ impl<const A: usize> Surface<A> {
         let ends = from.values.iter().zip(&to.values);
         let all = steps.iter_mut().zip(&mut bends).zip(ends);
         let all = all.take(self.count());
-        // In the middle, 14 fractional bits: from the end, where 1 / N is known. One step
-        // has no middle.
+        // In the middle, 31 fractional bits: from the end, where 1 / N is known. One step
+        // has no middle. Below a half, as the run was chosen by it.
         let nearer = to.nearness.wrapping_sub(from.nearness) as i32;
-        let ratio = quotient(nearer, to.recip, 1);
-        // r / (1 - r / 2), by its first three terms.
-        let square = ratio.wrapping_mul(ratio) >> (RUN_FRACTION + 1);
-        let cube = square.wrapping_mul(ratio) >> (RUN_FRACTION + 1);
+        let high = mul_high(nearer, to.recip.mantissa);
+        let ratio = high << ((to.recip.shift + 1) & 31);
+        // r / (1 - r / 2), by its first three terms; mul_high halves.
+        let square = mul_high(ratio, ratio);
+        let cube = mul_high(square, ratio);
         let ratio = ratio.wrapping_add(square).wrapping_add(cube);
         let ratio = if pixels == 1 { 0 } else { ratio };
         let over = OVER.get(pixels as usize).copied().unwrap_or(0);
         for ((step, bend), (from, to)) in all {
             let change = to.wrapping_sub(*from);
             // At most a third of the change: four times its part a pixel fits.
-            let off = mul_high(change, ratio << (31 - RUN_FRACTION)) << 1;
+            let off = mul_high(change, ratio) << 1;
             let own = mul_high(off << 1, over);
             // Rounded: along the run what is off here adds up to half its square.
             *bend = -mul_high((own << 2).wrapping_add(pixels), over);

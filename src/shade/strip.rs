@@ -18,14 +18,23 @@ pub struct Strip<'a> {
     cut_out: bool,
 }
 
+/// How much a way may bend a pixel where texels are cut out: a line of four pixels is off
+/// by half of it, a 512th of a texel.
+const MOST_BEND: u32 = 1 << (PLACE_BITS - 8);
+
 impl<'a> Sampler<'a> {
     /// The way of a run whose first two attributes are texture coordinates; `None` if
-    /// it goes over an edge at which the texture does not go on by itself. And how many of
-    /// its pixels show one copy of the picture.
+    /// it goes over an edge at which the texture does not go on by itself, or bends so
+    /// much that lines of four pixels would show at an outline. And how many of its pixels
+    /// show one copy of the picture.
     #[inline(always)]
     pub fn strip<const A: usize>(&self, run: &Run<'_, A>) -> Option<(Strip<'a>, usize)> {
         let places = self.places(run);
-        let (copy, count) = self.copy(run, &places);
+        let bends = |bend: i32| bend.unsigned_abs() > MOST_BEND;
+        if self.texture.cut_out && places.bend.into_iter().any(bends) {
+            return None;
+        }
+        let (copy, count) = self.copy(run);
         let mut way = places;
         if self.texture.wrap != Wrap::Repeat {
             way = self.within(&places, count)?;

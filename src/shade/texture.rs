@@ -1,7 +1,7 @@
 //! Texels.
 
 use super::strip::Cut;
-use crate::raster::{RUN_FRACTION, Run};
+use crate::raster::{Footprint, RUN_FRACTION, Run};
 use crate::scene::layout::BASES;
 use crate::scene::{Coordinates, NO_TEXEL, Scene, Texture, Wrap};
 
@@ -161,7 +161,7 @@ impl<'a> Sampler<'a> {
     /// of its pixels show one copy of the picture.
     pub fn path<const A: usize, C>(&self, run: &Run<'_, A, C>) -> (Path<'a>, usize) {
         let places = self.places(run);
-        let (copy, count) = self.copy(run, &places);
+        let (copy, count) = self.copy(run);
         let ([w, h], [cw, ch]) = (self.texture.size, copy.size);
         let path = Path {
             copy: *copy,
@@ -254,26 +254,17 @@ impl<'a> Sampler<'a> {
     /// of the run show it: number `floor(log2(r) + 1/2)`, with r the most texels that a
     /// pixel goes along one axis of picture and screen.
     #[inline(always)]
-    pub(super) fn copy<const A: usize, C>(
-        &self,
-        run: &Run<'_, A, C>,
-        places: &Places,
-    ) -> (&Copied<'a>, usize) {
+    pub(super) fn copy<const A: usize, C>(&self, run: &Run<'_, A, C>) -> (&Copied<'a>, usize) {
         let pixels = run.indices.len();
         let [first, ..] = &self.copies;
         if self.texture.copies <= 1 {
             return (first, pixels);
         }
-        // Along the row, at a pixel's centre.
-        let ([du, dv], [bu, bv]) = (places.step, places.bend);
-        let across = Steps {
-            at: [du.wrapping_sub(bu >> 1), dv.wrapping_sub(bv >> 1)],
-            step: [bu, bv],
+        let steps = |along: fn(&Footprint) -> [i32; 2]| Steps {
+            at: self.scaled(along(&run.footprint)),
+            step: self.scaled(along(&run.footprint_step)),
         };
-        let down = Steps {
-            at: self.scaled(run.down),
-            step: self.scaled(run.down_step),
-        };
+        let (across, down) = (steps(|f| f.across), steps(|f| f.down));
         let number = |pixel: i32| self.number(across.most(pixel).max(down.most(pixel)));
         let here = number(0);
         let copy = self.copies.get(here).unwrap_or(first);

@@ -18,11 +18,7 @@ impl MeshletRows {
     pub fn new(view: &ActorView, meshlet: &Meshlet) -> Self {
         // Vertices of a fine mesh come in grid steps.
         let fine = view.mesh.fine.is_some();
-        let shifts = if fine {
-            [0; 3]
-        } else {
-            meshlet.shifts
-        };
+        let shifts = if fine { [0; 3] } else { meshlet.shifts };
         let [sx, sy, sz] = shifts.map(u32::from);
         let [x, y, z] = meshlet.base.map(i64::from);
         let ([rx, ry, rd], [cx, cy, cd]) = (view.rows, view.constants);
