@@ -241,9 +241,10 @@ impl ActorView {
     }
 
     /// A parallel clip coordinate in 64ths of a sub-pixel from the screen's
-    /// middle, rounded to nearest.
+    /// middle, rounded to nearest; what is farther than any place on a screen stays so.
     pub fn parallel(&self, v: i32) -> i32 {
-        shift_round(v.into(), 6 - self.parallel_shift) as i32
+        const FAR: i64 = 1 << 30;
+        shift_round(v.into(), 6 - self.parallel_shift).clamp(-FAR, FAR) as i32
     }
 }
 

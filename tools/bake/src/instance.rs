@@ -2,7 +2,7 @@
 //! moving and scaling evenly is done here, so that the core deals with
 //! similarities only (and a normal stays a normal).
 
-use fixel_scene::{Actor, Mesh, Representation, Scene, Shading};
+use fixel_scene::{Actor, Light, LightKind, Mesh, Representation, Scene, Shading};
 use glam::{DMat3, DVec3};
 
 use crate::placement::Placed;
@@ -20,6 +20,8 @@ pub(crate) struct Instance {
     pub smooth: bool,
     /// Whether some actor shows errors of its normals several times as large.
     pub glossy: bool,
+    /// The most diffuse light that lights give some actor; 1 is full.
+    pub brightness: f64,
     /// Whether some actor shows its edges.
     pub edges: bool,
     /// Whether some actor shows its vertices.
@@ -64,6 +66,17 @@ fn is_glossy(scene: &Scene, actor: &Actor, for_rays: bool) -> bool {
     vertex_normals && (material.specular > 0.0 || rays)
 }
 
+/// The most that a light gives, to surfaces that it does not touch.
+fn brightness(light: &Light) -> f64 {
+    let full = light.intensity * light.colour.into_iter().fold(0.0, f64::max);
+    match light.kind {
+        LightKind::Directional { .. } => full,
+        LightKind::Point { attenuation, .. } | LightKind::Spot { attenuation, .. } => {
+            full / attenuation[0].max(1.0)
+        }
+    }
+}
+
 /// The part of an actor's own map that its mesh must have worked in, and the even
 /// factor that is left.
 fn split_scale(linear: DMat3) -> (DMat3, f64) {
@@ -84,6 +97,7 @@ pub(crate) fn instances(
 ) -> (Vec<Instance>, Vec<(usize, f64)>) {
     let mut instances: Vec<Instance> = Vec::new();
     let mut uses = Vec::new();
+    let light = scene.lights.iter().map(brightness).sum::<f64>();
     for (actor, placed) in scene.actors.iter().zip(placed) {
         let (linear, factor) = split_scale(placed.linear);
         let found = instances
@@ -96,6 +110,7 @@ pub(crate) fn instances(
                 flat: false,
                 smooth: false,
                 glossy: false,
+                brightness: 0.0,
                 edges: false,
                 points: false,
             });
@@ -110,6 +125,8 @@ pub(crate) fn instances(
             // Lines and points are lit at vertices.
             _ => instance.smooth = true,
         }
+        let diffuse = scene.materials[actor.material].diffuse;
+        instance.brightness = instance.brightness.max(diffuse * light);
         instance.glossy |= is_glossy(scene, actor, for_rays);
         match actor.look.representation {
             Representation::Surface => {}

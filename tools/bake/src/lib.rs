@@ -19,6 +19,7 @@ mod meshlet;
 mod normal;
 mod oklab;
 mod palette;
+mod picture;
 mod placement;
 mod ray;
 mod records;

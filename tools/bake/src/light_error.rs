@@ -13,11 +13,17 @@ const LIMIT: f64 = 2.0;
 const ROUNDING: f64 = 0.5;
 
 /// The share of the lit surface whose level two-byte normals would put off by more
-/// than 2 of 255, under the light that shows it most: directional, white, full.
+/// than 2 of 255, under the light that shows it most: directional, white, `brightness`
+/// times full; what is lit by more than full light does not show it.
 ///
 /// Along each triangle levels are interpolated, as in Gouraud shading; a level that is
 /// then rounded goes over the limit as often as its distance from a whole one has it.
-pub(crate) fn wrong_share(positions: &[DVec3], normals: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
+pub(crate) fn wrong_share(
+    positions: &[DVec3],
+    normals: &[DVec3],
+    triangles: &[[u32; 3]],
+    brightness: f64,
+) -> f64 {
     let error = |n: &DVec3| normal::decode(normal::encode(*n, normal::COARSE), normal::COARSE) - *n;
     let errors: Vec<DVec3> = normals.iter().map(error).collect();
     let share = |light: DVec3| {
@@ -26,9 +32,12 @@ pub(crate) fn wrong_share(positions: &[DVec3], normals: &[DVec3], triangles: &[[
             let [a, b, c] = triangle.map(|v| positions[v as usize]);
             // What is seen of it from where the light is.
             let area = (b - a).cross(c - a).dot(light).max(0.0);
-            let off = triangle.map(|v| errors[v as usize].dot(light) * FULL);
+            let off = triangle.map(|v| errors[v as usize].dot(light) * brightness * FULL);
+            let least = triangle.map(|v| normals[v as usize].dot(light) * brightness);
             lit += area;
-            wrong += area * over_limit(off);
+            if least.into_iter().fold(f64::INFINITY, f64::min) < 1.0 {
+                wrong += area * over_limit(off);
+            }
         }
         if lit > 0.0 { wrong / lit } else { 0.0 }
     };
@@ -57,17 +66,19 @@ mod tests {
     use super::*;
 
     /// A square that faces `normal`.
-    fn square(normal: DVec3) -> f64 {
+    fn square(normal: DVec3, brightness: f64) -> f64 {
         let x = normal.any_orthonormal_vector();
         let y = normal.cross(x);
         let corners = [-x - y, x - y, x + y, y - x];
-        wrong_share(&corners, &[normal; 4], &[[0, 1, 2], [0, 2, 3]])
+        wrong_share(&corners, &[normal; 4], &[[0, 1, 2], [0, 2, 3]], brightness)
     }
 
     #[test]
     fn a_face_along_an_axis_is_right_and_one_between_codes_is_not() {
-        assert_eq!(square(DVec3::Z), 0.0);
+        assert_eq!(square(DVec3::Z, 1.0), 0.0);
         let between = normal::decode([83, 85], 255);
-        assert!(square(between) > 0.05, "{}", square(between));
+        assert!(square(between, 1.0) > 0.05);
+        assert_eq!(square(between, 0.5), 0.0);
+        assert!(square(between, 2.0) > square(between, 1.0));
     }
 }

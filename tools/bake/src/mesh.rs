@@ -118,7 +118,7 @@ impl Parts {
         let coarse = shifts.iter().flatten().any(|s| *s > 0);
         shape.fine = instance.glossy
             || coarse && shape.triangles.len() <= FINE_TRIANGLES
-            || instance.smooth && shape.wrong_share() > WRONG_SHARE;
+            || instance.smooth && shape.wrong_share(instance.brightness) > WRONG_SHARE;
 
         // A vertex is on the coarsest grid of the meshlets that share it.
         let mut coarsest: HashMap<_, Shifts> = HashMap::new();
@@ -310,8 +310,8 @@ impl Shape {
     }
 
     /// See [`wrong_share`].
-    fn wrong_share(&self) -> f64 {
-        wrong_share(&self.positions, &self.normals, &self.triangles)
+    fn wrong_share(&self, brightness: f64) -> f64 {
+        wrong_share(&self.positions, &self.normals, &self.triangles, brightness)
     }
 
     fn face_normal(&self, triangle: &[u32; 3]) -> DVec3 {

@@ -2,19 +2,17 @@
 //! and instead of colours the numbers of a few base colours. What light makes of a
 //! base colour is looked up in a shade table.
 
-use fixel_scene::{Filter, Rgb, Scene, Texturing, Wrap};
+use fixel_scene::{Filter, Scene, Texturing, Wrap};
 
 use crate::oklab::{Lab, distance2, from_rgb};
 use crate::palette::{Sample, choose};
+use crate::picture::{Picture, Texel};
 
 /// A texel of which nothing is seen.
 pub(crate) const NOTHING: u8 = 255;
 /// Base colours of all textures of a scene, at most: any number below [`NOTHING`]
 /// would do; a row of a shade table has as many bytes.
 pub(crate) const BASES: usize = 64;
-/// The longest side of a texture.
-const MOST_TEXELS: u32 = 1024;
-
 /// What the textures of a scene become.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Textures {
@@ -45,21 +43,6 @@ pub(crate) struct Texture {
     pub perspective: bool,
 }
 
-/// A colour and its alpha, each in 0..=1.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Texel {
-    colour: Rgb,
-    alpha: f64,
-}
-
-/// Texels by rows.
-#[derive(Clone, Debug, PartialEq)]
-struct Picture {
-    width: usize,
-    height: usize,
-    texels: Vec<Texel>,
-}
-
 /// All textures that materials lay on surfaces.
 pub(crate) fn textures(scene: &Scene) -> Textures {
     let mut different: Vec<Texturing> = Vec::new();
@@ -74,10 +57,7 @@ pub(crate) fn textures(scene: &Scene) -> Textures {
     let of_material = of_material.collect();
     let pictures: Vec<Vec<Picture>> = different
         .iter()
-        .map(|texturing| {
-            let picture = Picture::new(&scene.textures[texturing.texture]);
-            picture.with_copies(texturing.mipmaps)
-        })
+        .map(|texturing| Picture::copies(scene, texturing))
         .collect();
 
     let seen = |(texturing, copies): (&Texturing, &Vec<Picture>)| {
@@ -136,121 +116,12 @@ fn quantise(texturing: &Texturing, copies: &[Picture], bases: &[[u8; 3]]) -> Tex
     }
 }
 
-impl Picture {
-    /// A texture with sides that are powers of two: each becomes the nearest one, by
-    /// ratio, and at most [`MOST_TEXELS`]; new texels are the means of the area that
-    /// they cover.
-    fn new(texture: &fixel_scene::Texture) -> Self {
-        let unit = |texel: &[u8; 4]| {
-            let [red, green, blue, alpha] = texel.map(|channel| f64::from(channel) / 255.0);
-            Texel {
-                colour: [red, green, blue],
-                alpha,
-            }
-        };
-        let picture = Self {
-            width: texture.width as usize,
-            height: texture.height as usize,
-            texels: texture.texels.iter().map(unit).collect(),
-        };
-        let [width, height] = [texture.width, texture.height].map(nearest_power);
-        if [width, height] == [picture.width, picture.height] {
-            picture
-        } else {
-            picture.resized(width, height)
-        }
-    }
-
-    fn resized(&self, width: usize, height: usize) -> Self {
-        let columns: Vec<_> = (0..width).map(|i| covered(i, width, self.width)).collect();
-        let rows: Vec<_> = (0..height)
-            .map(|j| covered(j, height, self.height))
-            .collect();
-        let mut texels = Vec::with_capacity(width * height);
-        for row in &rows {
-            for column in &columns {
-                let of_row = |&(y, down): &(usize, f64)| {
-                    let old = &self.texels[y * self.width..];
-                    column
-                        .iter()
-                        .map(move |(x, across)| (old[*x], across * down))
-                };
-                texels.push(mean(row.iter().flat_map(of_row)));
-            }
-        }
-        Self {
-            width,
-            height,
-            texels,
-        }
-    }
-
-    /// Itself, and if wanted its halves.
-    fn with_copies(self, wanted: bool) -> Vec<Self> {
-        let mut copies = vec![self];
-        while let Some(last) = copies.last().filter(|last| wanted && last.texels.len() > 1) {
-            let (width, height) = ((last.width / 2).max(1), (last.height / 2).max(1));
-            copies.push(last.resized(width, height));
-        }
-        copies
-    }
-}
-
-/// The power of two that is nearest by ratio.
-fn nearest_power(size: u32) -> usize {
-    let lower = 1 << size.ilog2();
-    // Above the geometric mean of two powers: size^2 > 2 lower^2.
-    let up = u64::from(size) * u64::from(size) > 2 * lower * lower;
-    let power = if up { 2 * lower } else { lower };
-    power.min(MOST_TEXELS.into()) as usize
-}
-
-/// The old texels that a new one covers, and how much it covers of each.
-fn covered(at: usize, new: usize, old: usize) -> Vec<(usize, f64)> {
-    // In units of 1/new of an old texel, so that all is whole.
-    let (start, end) = (at * old, (at + 1) * old);
-    let part = |i: usize| end.min((i + 1) * new) - start.max(i * new);
-    (start / new..end.div_ceil(new))
-        .map(|i| (i, part(i) as f64))
-        .collect()
-}
-
-/// The weighted mean, colours weighted by alpha too; of texels that nothing is seen
-/// of, by their weights alone.
-fn mean(parts: impl Iterator<Item = (Texel, f64)>) -> Texel {
-    let (mut weights, mut alpha) = (0.0, 0.0);
-    let (mut plain, mut seen) = ([0.0; 3], [0.0; 3]);
-    for (texel, weight) in parts {
-        weights += weight;
-        alpha += weight * texel.alpha;
-        plain = [0, 1, 2].map(|c| plain[c] + weight * texel.colour[c]);
-        seen = [0, 1, 2].map(|c| seen[c] + weight * texel.alpha * texel.colour[c]);
-    }
-    let colour = if alpha > 0.0 {
-        seen.map(|channel| channel / alpha)
-    } else {
-        plain.map(|channel| channel / weights)
-    };
-    Texel {
-        colour,
-        alpha: alpha / weights,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use fixel_scene::Material;
 
     use super::*;
-
-    fn picture(width: u32, texels: &[[u8; 4]]) -> fixel_scene::Texture {
-        fixel_scene::Texture {
-            name: "made".into(),
-            width,
-            height: texels.len() as u32 / width,
-            texels: texels.to_vec(),
-        }
-    }
+    use crate::picture::tests::picture;
 
     /// A scene with these textures, each worn by a material.
     fn scene(textures: Vec<fixel_scene::Texture>, how: impl Fn(usize) -> Texturing) -> Scene {
@@ -263,32 +134,6 @@ mod tests {
         scene.materials.extend((0..textures.len()).map(material));
         scene.textures = textures;
         scene
-    }
-
-    #[test]
-    fn sides_become_powers_of_two() {
-        let sides = [1, 2, 3, 5, 6, 11, 12, 90, 91, 1024, 1500, 8192];
-        let powers = [1, 2, 4, 4, 8, 8, 16, 64, 128, 1024, 1024, 1024];
-        assert_eq!(sides.map(nearest_power), powers);
-        // Three columns over two, and over four.
-        assert_eq!(covered(0, 2, 3), [(0, 2.0), (1, 1.0)]);
-        assert_eq!(covered(1, 2, 3), [(1, 1.0), (2, 2.0)]);
-        assert_eq!(covered(1, 4, 3), [(0, 1.0), (1, 2.0)]);
-        assert_eq!(covered(2, 4, 4), [(2, 4.0)]);
-    }
-
-    #[test]
-    fn texels_are_the_means_of_what_they_cover() {
-        let grey = |v: u8| [v, v, v, 255];
-        let three = picture(3, &[grey(0), grey(90), grey(240)]);
-        let resized = Picture::new(&three).resized(2, 1);
-        let greys = resized.texels.iter().map(|t| (t.colour[0] * 255.0).round());
-        assert_eq!(greys.collect::<Vec<_>>(), [30.0, 190.0]);
-        let red = [200, 0, 0, 255];
-        let half = Picture::new(&picture(2, &[red, [0, 99, 0, 0]])).resized(1, 1);
-        assert_eq!(half.texels[0].alpha, 0.5);
-        assert!((half.texels[0].colour[0] * 255.0 - 200.0).abs() < 1e-9);
-        assert_eq!(half.texels[0].colour[1], 0.0);
     }
 
     #[test]

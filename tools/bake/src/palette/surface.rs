@@ -3,7 +3,7 @@
 
 use fixel_scene::{
     Actor, Aspect, Background, Camera, Cull, Fog, Material, Moment, Representation, Scene, Shading,
-    Texturing, Viewport, Wrap,
+    Texturing, Viewport,
 };
 use glam::{DMat3, DMat4, DVec2, DVec3};
 
@@ -14,6 +14,7 @@ use super::through::{Piece, seen};
 use super::way::blended;
 use super::window::Window;
 use crate::fog::{factor, fogged};
+use crate::picture::Picture;
 
 /// Samples of a whole picture, about so many.
 const SAMPLES: f64 = 8192.0;
@@ -32,16 +33,22 @@ const MOMENTS: usize = 8;
 /// is before them left aside), and all together 1.
 pub(super) fn samples(scene: &Scene) -> Vec<Sample> {
     let moments = Moment::some(scene, MOMENTS);
+    let copies = |material: &Material| material.texture.map(|how| Picture::copies(scene, &how));
+    let copies: Vec<Vec<Picture>> = (scene.materials.iter())
+        .map(|material| copies(material).unwrap_or_default())
+        .collect();
     let mut samples = Vec::new();
     for moment in &moments {
         let windows = windows(scene, moment);
-        for (window, share, background) in windows {
+        for (window, share, height, background) in windows {
             let share = share / moments.len() as f64;
             let mut pieces = Vec::new();
             let actors = scene.actors.iter().zip(&moment.actors);
             for (number, (actor, matrix)) in actors.enumerate() {
                 let matrix = DMat4::from_cols_array_2d(matrix);
-                let surface = Surface::new(scene, actor, matrix, window);
+                let mut surface = Surface::new(scene, actor, matrix, window);
+                surface.copies = &copies[actor.material];
+                surface.height = height;
                 if actor.look.representation == Representation::Surface {
                     surface.sample(share, number, &mut pieces);
                 } else {
@@ -85,8 +92,9 @@ pub(super) fn brightest(scene: &Scene, material: usize) -> f64 {
 }
 
 /// What the cameras see, of each viewport or of the whole picture, how much of the
-/// picture that is, and what is behind everything.
-fn windows<'a>(scene: &'a Scene, moment: &Moment) -> Vec<(Window, f64, &'a Background)> {
+/// picture that is, how many pixels high, and what is behind everything.
+fn windows<'a>(scene: &'a Scene, moment: &Moment) -> Vec<(Window, f64, f64, &'a Background)> {
+    let pixels = f64::from(scene.display.height);
     let whole = f64::from(scene.display.width) / f64::from(scene.display.height);
     let all = &scene.display.background;
     let window = |(viewport, own): (&'a Viewport, &Option<Camera>)| {
@@ -97,10 +105,10 @@ fn windows<'a>(scene: &'a Scene, moment: &Moment) -> Vec<(Window, f64, &'a Backg
         };
         let window = Window::new(own.as_ref().unwrap_or(&moment.camera), aspect);
         let background = viewport.background.as_ref().unwrap_or(all);
-        (window, width * height, background)
+        (window, width * height, pixels * height, background)
     };
     if scene.viewports.is_empty() {
-        vec![(Window::new(&moment.camera, whole), 1.0, all)]
+        vec![(Window::new(&moment.camera, whole), 1.0, pixels, all)]
     } else {
         let viewports = scene.viewports.iter().zip(&moment.viewports);
         viewports.map(window).collect()
@@ -117,6 +125,10 @@ struct Surface<'a> {
     triangles: Vec<[usize; 3]>,
     tints: &'a [[f64; 3]],
     coordinates: &'a [[f64; 2]],
+    /// The material's texture and its smaller copies, if it has one and they matter.
+    copies: &'a [Picture],
+    /// Of the whole picture, in pixels.
+    height: f64,
 }
 
 impl<'a> Surface<'a> {
@@ -140,6 +152,8 @@ impl<'a> Surface<'a> {
             triangles: mesh.triangles.iter().map(corners).collect(),
             tints: &mesh.colours,
             coordinates: &mesh.texture_coordinates,
+            copies: &[],
+            height: 1.0,
         }
     }
 
@@ -284,34 +298,37 @@ impl<'a> Surface<'a> {
             Shading::Gouraud => Lit::mix(points.map(|point| light(&point)), weights),
             Shading::Phong => light(&here),
         };
-        let texel = texture.map_or(DVec3::ONE, |how| self.texel(&how, here.coordinates));
+        let texel = texture.map_or(DVec3::ONE, |how| self.texel(&how, triangle, weights.into()));
         (texel * lit.own + lit.gloss)
             .clamp(DVec3::ZERO, DVec3::ONE)
             .into()
     }
 
-    /// The texel around a place.
-    fn texel(&self, how: &Texturing, place: DVec2) -> DVec3 {
-        let texture = &self.scene.textures[how.texture];
-        let at = |place: f64, size: u32| {
-            let size = i64::from(size);
-            let i = (place * size as f64).floor() as i64;
-            let within = match how.wrap {
-                Wrap::Clamp => i.clamp(0, size - 1),
-                Wrap::Repeat => i.rem_euclid(size),
-                Wrap::Mirror => {
-                    let i = i.rem_euclid(2 * size);
-                    i.min(2 * size - 1 - i)
-                }
-            };
-            within as usize
+    /// What is seen of the texture where a face's corners have these weights.
+    fn texel(&self, how: &Texturing, triangle: &[usize; 3], weights: DVec3) -> DVec3 {
+        let coordinates = |weights: DVec3| {
+            let [a, b, c] = triangle.map(|i| self.point(i).coordinates);
+            a * weights.x + b * weights.y + c * weights.z
         };
-        let (x, y) = (
-            at(place.x, texture.width),
-            at(1.0 - place.y, texture.height),
-        );
-        let [red, green, blue, _] = texture.texels[y * texture.width as usize + x];
-        DVec3::from([red, green, blue].map(|c| f64::from(c) / 255.0))
+        let here = coordinates(weights);
+        let number = self.next_to(triangle, weights).map(|next| {
+            let size = DVec2::new(self.copies[0].width as f64, self.copies[0].height as f64);
+            let steps = next.map(|weights| ((coordinates(weights) - here) * size).abs());
+            let most = steps[0].max(steps[1]).max_element();
+            (most.log2() + 0.5).floor().max(0.0) as usize
+        });
+        let last = self.copies.len() - 1;
+        self.copies[number.unwrap_or(last).min(last)].seen(how, here)
+    }
+
+    /// The corners' weights one pixel to the right and one pixel below.
+    fn next_to(&self, triangle: &[usize; 3], weights: DVec3) -> Option<[DVec3; 2]> {
+        let normal = self.cross(triangle);
+        let place = self.at(triangle, weights);
+        let next = self.window.next_to(place, normal, self.height)?;
+        let [a, b, c] = triangle.map(|i| self.places[i]);
+        let part = |p: DVec3, q: DVec3| p.cross(q).dot(normal) / normal.length_squared();
+        Some(next.map(|p| DVec3::new(part(b - p, c - p), part(c - p, a - p), part(a - p, b - p))))
     }
 }
 

@@ -67,6 +67,24 @@ impl Window {
         inside.then_some(at)
     }
 
+    /// The places in a plane that are seen one pixel to the right of one there and one
+    /// pixel below, in a picture so many pixels high; `None` beyond the horizon.
+    pub(super) fn next_to(&self, place: DVec3, normal: DVec3, height: f64) -> Option<[DVec3; 2]> {
+        let [right, up, forward] = self.axes;
+        let depth = self.depth(place);
+        let pixel = 2.0 * self.half[1] / height;
+        let seen = |beside: DVec3| {
+            let (from, ray) = if self.perspective {
+                (self.eye, (place - self.eye) / depth + beside * pixel)
+            } else {
+                (place + beside * pixel, forward)
+            };
+            let along = (place - from).dot(normal) / ray.dot(normal);
+            (along.is_finite() && (along > 0.0 || !self.perspective)).then(|| from + ray * along)
+        };
+        Some([seen(right)?, seen(-up)?])
+    }
+
     /// Of the whole picture.
     pub(super) fn size(&self) -> f64 {
         4.0 * self.half[0] * self.half[1]

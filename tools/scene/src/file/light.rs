@@ -90,7 +90,7 @@ pub(super) fn light(table: &Table<'_, '_>) -> Result<Parsed, Error> {
         return Err(table.error(key, format!("{name} has none; expected no such key")));
     }
     let colour = colour(table, "colour")?.unwrap_or([1.0; 3]);
-    let intensity = table.number("intensity", 0.0..=100.0)?.unwrap_or(1.0);
+    let intensity = table.number("intensity", 0.0..=32.0)?.unwrap_or(1.0);
     let kind = match kind {
         Kind::Ambient => return Ok(Parsed::Ambient(colour.map(|channel| channel * intensity))),
         Kind::Directional => LightKind::Directional {
