@@ -114,7 +114,8 @@ pub fn bake_for_rays(scene: &Scene) -> Result<Baked, BakeError> {
 fn bake_with(scene: &Scene, rays: Option<&[Sample]>) -> Result<Baked, BakeError> {
     at_most("actors", scene.actors.len(), 65535)?;
     at_most("materials", scene.materials.len(), 65535)?;
-    at_most("lights with a direction", scene.lights.len(), LIGHTS)?;
+    at_most("lights with a direction", scene.lights.len(), LIGHTS)
+        .map_err(|error| error.problem.at(Element::Light(LIGHTS)))?;
     possible(scene)?;
     let units = Units::new(scene);
     let textures = textures(scene);

@@ -7,6 +7,9 @@ use crate::report::{Mismatch, MismatchKind, Report};
 use crate::shadow;
 use crate::truth::{Hit, Truth};
 
+/// Places in textures that repeat are known up to a multiple of so many texels.
+const PERIOD: f64 = 65536.0;
+
 /// How many mismatching pixels a report names.
 const LISTED: usize = 20;
 
@@ -48,7 +51,10 @@ pub fn compare(truth: &Truth, frame: &Frame) -> Result<Report, FrameError> {
                     if let (Some(true_place), Some(place)) =
                         (hit.texture_place, frame.texture_place.get(i))
                     {
-                        let off = [0, 1].map(|axis| (true_place[axis] - place[axis]).abs());
+                        let off = [0, 1].map(|axis| {
+                            let off = true_place[axis] - place[axis];
+                            (off - (off / PERIOD).round() * PERIOD).abs()
+                        });
                         texel.add(i, off[0].max(off[1]), 1.0);
                     }
                 }

@@ -21,6 +21,9 @@ const DEPTH_WITHIN_1_PERCENT: f64 = 99.9;
 const LEVEL_WITHIN_2_PERCENT: f64 = 99.0;
 /// Least PSNR against the truth through the same palette.
 const SAME_PALETTE_DB: f64 = 40.0;
+/// Least PSNR against the unquantised truth: a palette without the colours that a scene
+/// shows does not come near it.
+const TRUE_DB: f64 = 30.0;
 /// Least PSNR of a scene of one material against the unquantised truth, on a
 /// display with 8 bits a channel: 16-bit colour alone costs all but 42 dB.
 const PSNR_DB: f64 = 45.0;
@@ -240,6 +243,12 @@ fn limits(compared: &Compared) -> Result<()> {
         ));
     }
     broken.extend(far_from_truth(report));
+    if report.rgb_psnr_true_db < TRUE_DB {
+        let db = report.rgb_psnr_true_db;
+        broken.push(format!(
+            "colour at {db:.1} dB of the unquantised truth only"
+        ));
+    }
     if report.texel_mean > TEXELS {
         broken.push(format!(
             "places in textures are {:.2} texels off",
@@ -392,5 +401,6 @@ mod tests {
         assert!(direct(40.0) && !direct(39.9));
         assert!(!holds(|r| r.level_within_2_percent = 98.9));
         assert!(!holds(|r| r.rgb_psnr_db = 39.9));
+        assert!(!holds(|r| r.rgb_psnr_true_db = 29.9));
     }
 }

@@ -261,7 +261,10 @@ fn textured() -> Scene {
         height: 2,
         texels: vec![[255, 0, 0, 255], [0, 0, 255, 255]],
     }];
-    scene.materials[0].texture = Some(Texturing::new(0));
+    scene.materials[0].texture = Some(Texturing {
+        mipmaps: false,
+        ..Texturing::new(0)
+    });
     scene.materials[0].ambient = 0.25;
     let mesh = &mut scene.meshes[0];
     let v = |p: &[f64; 3]| [0.0, 0.5 + 0.4 * p[1]];
@@ -351,4 +354,32 @@ fn lines_have_their_colours_too() {
             .palette
             .contains(&[0, 255, 0])
     );
+}
+
+#[test]
+fn samples_of_a_texture_are_of_the_copies_that_are_seen() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../scenes/textured_often.toml"
+    );
+    let mut scene = fixel_scene::load(path.as_ref()).unwrap();
+    // One texel black, one white: far away, or between two, nothing but grey.
+    scene.textures[0].width = 2;
+    scene.textures[0].height = 2;
+    scene.textures[0].texels = [0, 255, 255, 0].map(|v| [v, v, v, 255]).to_vec();
+    let greys = |scene: &Scene| {
+        let samples = surface::samples(scene);
+        let brightest = samples.iter().map(|s| s.colour[0]).fold(0.0, f64::max);
+        let grey = |colour: &Rgb| (0.4..0.6).contains(&(colour[0] / brightest));
+        let grey = samples.iter().filter(|s| grey(&s.colour));
+        grey.map(|sample| sample.weight).sum::<f64>()
+    };
+    let mut how = scene.materials[0].texture.unwrap();
+    assert!(greys(&scene) > 0.3, "{}", greys(&scene));
+    how.filter = fixel_scene::Filter::Nearest;
+    scene.materials[0].texture = Some(how);
+    assert!((0.1..0.9).contains(&greys(&scene)), "{}", greys(&scene));
+    how.mipmaps = false;
+    scene.materials[0].texture = Some(how);
+    assert_eq!(greys(&scene), 0.0);
 }
