@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use fixel_reference::Report;
-use fixel_scene::{ColourFormat, Representation, Scene};
+use fixel_scene::{ColourFormat, Filter, Representation, Scene, Texturing};
 use serde_json::{Map, Value, json};
 
 use crate::problem::{Problem, Result};
@@ -116,8 +116,14 @@ fn compare(file: &Path, renderer: Renderer) -> Result<Option<Compared>> {
             .map_err(in_file)?
             .rgb_psnr_true_db;
     }
+    // They have more colours than a palette.
+    let blended = |texture: &Texturing| texture.filter == Filter::Bilinear;
+    let blended_texels = scene
+        .materials
+        .iter()
+        .any(|m| m.texture.as_ref().is_some_and(blended));
     Ok(Some(Compared {
-        one_material: scene.materials.len() == 1 && !without_palette,
+        one_material: scene.materials.len() == 1 && !without_palette && !blended_texels,
         without_palette,
         report,
         rgb888_psnr_db,
