@@ -153,11 +153,12 @@ impl RayCamera {
         })
     }
 
-    /// The same as [`RayCamera::bounds`]; `None` of what reaches behind the eye.
+    /// The same as [`RayCamera::bounds`]; `None` of what reaches before the near
+    /// plane.
     pub(super) fn bounds_ahead(&self, centre: [i32; 3], radius: i32) -> Option<Rect> {
         let off = Vec3::from_bits(centre).minus(self.frame.eye);
         let [.., back] = self.frame.rotation.apply_wide(off);
-        let ahead = !self.perspective || -back - i64::from(radius) > 64 + self.near.min(1 << 30);
+        let ahead = -back - i64::from(radius) > 64 + self.near.min(1 << 30);
         ahead.then(|| self.bounds(centre, radius))
     }
 

@@ -6,7 +6,7 @@ use super::sequence::on_light;
 use super::surface::Surface;
 use super::windows::Windows;
 use crate::light::{Parts, ShortUnit, WorldLights, WorldSums};
-use crate::math::{Scaled, Unit3, mul_high, short_dot, unit};
+use crate::math::{Scaled, Unit3, mul_high, mul_q30, short_dot, unit};
 use crate::scene::layout::LIGHTS;
 use crate::scene::{LightArea, LightKind, Material, Scene};
 
@@ -73,6 +73,17 @@ pub(super) struct Lit<'a> {
     pub on: u16,
 }
 
+/// 28 fractional bits: where short directions do not say on which side of a face a light
+/// is.
+const GRAZING: i32 = 1 << 16;
+
+/// The cosine between a face's normal and a direction, 30 fractional bits.
+fn side_of([x, y, z]: Unit3, [dx, dy, dz]: Unit3) -> i32 {
+    mul_q30(x, dx)
+        .saturating_add(mul_q30(y, dy))
+        .saturating_add(mul_q30(z, dz))
+}
+
 /// What a surface gives back of the scene's lights, and which of them reach it.
 #[inline(never)]
 pub(super) fn shine(
@@ -107,7 +118,8 @@ pub(super) fn shine(
             }
             let mut factor = share(factor, samples);
             if settings.shadows {
-                if short_dot(face, towards) <= 0 {
+                let side = short_dot(face, towards);
+                if side <= -GRAZING {
                     continue;
                 }
                 let start = moved(surface.place, surface.face, lit.lift);
@@ -127,6 +139,9 @@ pub(super) fn shine(
                 let Some((direction, far)) = ray else {
                     continue;
                 };
+                if side < GRAZING && side_of(surface.face, direction) <= 0 {
+                    continue;
+                }
                 let ray = Ray {
                     origin: start,
                     direction,
