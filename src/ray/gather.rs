@@ -5,6 +5,7 @@ use super::beam::Beam;
 use super::camera::RayCamera;
 use super::coverage::{Bits, TILE, cover};
 use super::hierarchy::Hierarchy;
+use super::pause::Pause;
 use crate::math::Rect;
 use crate::scene::layout::RAY_STACK;
 use crate::scene::{Scene, Shape};
@@ -26,6 +27,11 @@ pub(super) struct Gathered {
     list: [Candidate; MOST],
     bits: Bits,
     left: [u32; RAY_STACK],
+    /// How many are in the list.
+    count: usize,
+    /// Of tiles and their quarters: how long they are not gathered where they have too many
+    /// triangles.
+    pauses: [Pause; 2],
     /// There are actors that are no triangles.
     others: bool,
 }
@@ -46,13 +52,41 @@ impl Gathered {
         }; MOST],
         bits: [0; TILE * TILE],
         left: [0; RAY_STACK],
+        count: 0,
+        pauses: [Pause::NONE; 2],
         others: false,
     };
+
+    /// The same as [`Gathered::gather`]; not tried where tiles of this `size` (a number in
+    /// `pauses`) had too many triangles lately.
+    pub(super) fn gather_if_it_pays(
+        &mut self,
+        scene: &Scene<'_>,
+        actors: &mut RayActors<'_>,
+        view: (u16, &RayCamera),
+        listed: &[u16],
+        (tile, size): (&Rect, usize),
+    ) -> bool {
+        let pause = self.pauses.get_mut(size);
+        if let Some(pause) = pause
+            && !pause.is_over()
+        {
+            pause.pass();
+            return false;
+        }
+        let gathered = self.gather(scene, actors, view, listed, tile);
+        if let Some(pause) = self.pauses.get_mut(size) {
+            // Fewer rays than triangles are better cast by themselves.
+            let rays = usize::from(tile.width()) * usize::from(tile.height());
+            pause.tried(gathered && self.count <= rays);
+        }
+        gathered
+    }
 
     /// Gathers what the rays of a perspective's tile may meet of some actors; `false` if
     /// that is more than there is room for, or cannot be told.
     #[inline(never)]
-    pub(super) fn gather(
+    fn gather(
         &mut self,
         scene: &Scene<'_>,
         actors: &mut RayActors<'_>,
@@ -105,6 +139,7 @@ impl Gathered {
                 return false;
             }
         }
+        self.count = count;
         true
     }
 

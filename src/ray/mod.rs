@@ -21,6 +21,7 @@ mod holes;
 mod leaves;
 mod light;
 mod nearest;
+mod pause;
 mod progressive;
 #[expect(clippy::module_inception, reason = "that is what it has")]
 mod ray;

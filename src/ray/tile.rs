@@ -17,6 +17,9 @@ use crate::shade::{Lookup, Pixel, dithered};
 /// Columns and rows of a tile.
 pub(super) const TILE: u16 = coverage::TILE as u16;
 
+/// How often a tile is divided: beams for fewer rays take more than the rays.
+const LAST: usize = 1;
+
 /// A viewport being drawn.
 pub(super) struct Drawing<'a, 's, 'p, W> {
     pub tracer: &'a mut Tracer<'s>,
@@ -98,21 +101,17 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
         if count == 0 {
             return;
         }
-        if self.part(camera, target, tile, count, self.pass.is_sparse()) {
+        if self.part(camera, target, tile, count, 0) {
             return;
         }
         // There are more triangles than the list has room for.
         for part in parts(tile, TILE / 2) {
-            if !self.part(camera, target, &part, count, false) {
-                for part in parts(&part, TILE / 4) {
-                    self.part(camera, target, &part, count, true);
-                }
-            }
+            self.part(camera, target, &part, count, LAST);
         }
     }
 
-    /// Draws a tile or a part of one; `false` if it has too many triangles, unless it is
-    /// to be drawn `anyway`.
+    /// Draws a tile or a part of one that was divided so often; `false` if it has too many
+    /// triangles, but not of what is not divided further.
     #[inline(never)]
     fn part(
         &mut self,
@@ -120,17 +119,18 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
         target: &mut Target<'_>,
         tile: &Rect,
         count: usize,
-        anyway: bool,
+        divided: usize,
     ) -> bool {
-        let listed = self.listed.get(..count);
-        let gathered = listed.filter(|_| !self.pass.is_sparse());
-        let gathered = gathered.is_some_and(|listed| {
+        let shares = camera.eye().is_some() && !self.pass.is_sparse();
+        let listed = self.listed.get(..count).filter(|_| shares);
+        let gathered = listed.is_some_and(|listed| {
             let actors = &mut self.tracer.actors;
             let view = (self.viewport.number, camera);
+            let part = (tile, divided);
             self.gathered
-                .gather(self.tracer.scene, actors, view, listed, tile)
+                .gather_if_it_pays(self.tracer.scene, actors, view, listed, part)
         });
-        if !gathered && !anyway && camera.eye().is_some() && listed.is_some() {
+        if !gathered && divided < LAST && listed.is_some() {
             return false;
         }
         self.tracer.windows.begin();

@@ -6,6 +6,7 @@
 use super::coverage::{Bits, FINE, TILE, cover_places};
 use super::grid_ray::{GridRay, component};
 use super::hierarchy::Hierarchy;
+use super::pause::Pause;
 use super::triangle::Faces;
 use crate::math::mul_high;
 use crate::scene::Leaf;
@@ -16,9 +17,7 @@ const WINDOWS: usize = 2;
 /// Most triangles of a window: one bit each.
 const MOST: usize = 32;
 /// Rays that make a window.
-const FIRST: u32 = 4;
-/// Most tiles that do without windows before it is tried again.
-const MOST_PAUSE: u8 = 32;
+const FIRST: u32 = 3;
 /// Fractional bits of places along the rays, in grid steps, and across, in twice that.
 const FRACTION: i32 = 4;
 /// Places across are below this.
@@ -74,10 +73,9 @@ pub(super) struct Windows {
     key: Key,
     count: u32,
     place: Place,
-    /// Tiles left that do without windows, and how many after the next one that has too
-    /// many triangles: a mesh may be finer than pixels.
-    pause: u8,
-    next_pause: u8,
+    /// Tiles that do without windows after one that has too many triangles: a mesh may be
+    /// finer than pixels.
+    pause: Pause,
 }
 
 /// What holds several starts.
@@ -135,8 +133,7 @@ impl Windows {
             high: [0; 2],
             nearest: 0,
         },
-        pause: 0,
-        next_pause: 0,
+        pause: Pause::NONE,
     };
 
     /// Forgets all: actors moved.
@@ -144,13 +141,13 @@ impl Windows {
         for window in &mut self.all {
             window.key = NONE;
         }
-        (self.key, self.pause, self.next_pause) = (NONE, 0, 1);
+        (self.key, self.pause) = (NONE, Pause::NONE);
     }
 
     /// A tile's rays follow, which start elsewhere.
     pub(super) fn begin(&mut self) {
         self.key = NONE;
-        self.pause = self.pause.saturating_sub(1);
+        self.pause.pass();
     }
 
     /// Whether a ray in an actor's grid that goes to a directional light meets any
@@ -165,7 +162,7 @@ impl Windows {
         if let Some(window) = self.all.iter().find(held) {
             return window.any(tree, ray, &start);
         }
-        if self.pause > 0 {
+        if !self.pause.is_over() {
             return tree.any(ray, range);
         }
         self.note(key, &start);
@@ -178,12 +175,7 @@ impl Windows {
         };
         self.oldest = (self.oldest + 1) % WINDOWS;
         window.fill(tree, (key, self.place), ray, &mut self.left);
-        if window.full {
-            self.pause = self.next_pause;
-            self.next_pause = (2 * self.next_pause).min(MOST_PAUSE);
-        } else {
-            self.next_pause = 1;
-        }
+        self.pause.tried(!window.full);
         window.any(tree, ray, &start)
     }
 

@@ -3,11 +3,13 @@
 
 use std::{env, fs, path::Path};
 
-/// A machine's memory. The upper half of the flash is kept for a scene, which
+/// A machine's memory. The upper part of the flash is kept for a scene, which
 /// the emulator loads there.
 struct Map {
     /// Where flash starts, and its size.
     flash: (u32, u32),
+    /// How much of it is the program's.
+    program: u32,
     /// The same of RAM.
     ram: (u32, u32),
 }
@@ -16,16 +18,19 @@ struct Map {
 /// 4 MB of RAM.
 const MPS2: Map = Map {
     flash: (0, 4 << 20),
+    program: 1 << 20,
     ram: (0x2000_0000, 4 << 20),
 };
 /// mps2-an505, in its secure state: SSRAM1, and SSRAM2.
 const AN505: Map = Map {
     flash: (0x1000_0000, 4 << 20),
+    program: 1 << 20,
     ram: (0x3800_0000, 2 << 20),
 };
 /// nRF51822.
 const MICROBIT: Map = Map {
     flash: (0, 256 << 10),
+    program: 128 << 10,
     ram: (0x2000_0000, 16 << 10),
 };
 
@@ -38,19 +43,20 @@ fn main() {
         "thumbv8m.main-none-eabihf" => AN505,
         _ => MPS2,
     };
-    let (flash, half) = (map.flash.0, map.flash.1 / 2);
+    let (flash, program) = (map.flash.0, map.program);
+    let rest = map.flash.1 - program;
     let (ram, ram_bytes) = map.ram;
     let memory = format!(
         "MEMORY\n{{\n  \
-           FLASH : ORIGIN = {flash:#010x}, LENGTH = {half:#x}\n  \
+           FLASH : ORIGIN = {flash:#010x}, LENGTH = {program:#x}\n  \
            RAM : ORIGIN = {ram:#010x}, LENGTH = {ram_bytes:#x}\n}}\n"
     );
-    let scene = flash + half;
+    let scene = flash + program;
     let code = format!(
-        "/// Where the emulator's loader puts a scene: the upper half of the flash.\n\
+        "/// Where the emulator's loader puts a scene: the upper part of the flash.\n\
          pub const SCENE_ADDRESS: usize = {scene:#x};\n\
          /// Bytes from there to the end of the flash.\n\
-         pub const SCENE_CAPACITY: usize = {half:#x};\n"
+         pub const SCENE_CAPACITY: usize = {rest:#x};\n"
     );
     let out = Path::new(&out);
     fs::write(out.join("memory.x"), memory).expect("OUT_DIR can be written");

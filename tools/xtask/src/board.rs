@@ -83,7 +83,7 @@ pub const BOARDS: [Board; 3] = [
         features: None,
         machine: arm(
             &["-machine", "mps2-an385", "-icount", "shift=7"],
-            0x0020_0000,
+            0x0010_0000,
         ),
         scenes: None,
         scene: "teapot",
@@ -96,7 +96,7 @@ pub const BOARDS: [Board; 3] = [
         features: None,
         machine: arm(
             &["-machine", "mps2-an386", "-icount", "shift=7"],
-            0x0020_0000,
+            0x0010_0000,
         ),
         scenes: None,
         scene: "teapot",
@@ -138,7 +138,7 @@ pub const OTHERS: [Board; 6] = [
         features: None,
         machine: arm(
             &["-machine", "mps2-an385", "-icount", "shift=7"],
-            0x0020_0000,
+            0x0010_0000,
         ),
         scenes: Some(&EVERY_KERNEL),
         scene: "teapot",
@@ -151,7 +151,7 @@ pub const OTHERS: [Board; 6] = [
         features: None,
         machine: arm(
             &["-machine", "mps2-an500", "-icount", "shift=7"],
-            0x0020_0000,
+            0x0010_0000,
         ),
         scenes: Some(&EVERY_KERNEL),
         scene: "teapot",
@@ -162,7 +162,7 @@ pub const OTHERS: [Board; 6] = [
         folder: "cortex-m",
         target: "thumbv8m.main-none-eabihf",
         features: None,
-        machine: arm(&["-machine", "mps2-an505"], 0x1020_0000),
+        machine: arm(&["-machine", "mps2-an505"], 0x1010_0000),
         scenes: Some(&EVERY_KERNEL),
         scene: "teapot",
     },
