@@ -110,7 +110,11 @@ impl Plane {
     #[inline(always)]
     pub(super) fn gradient(&self, v1: i32, v2: i32, fraction: i32) -> Option<Gradient> {
         let ([x1, y1], [x2, y2]) = (self.d1, self.d2);
-        if (self.size | v1.abs() | v2.abs()) < SMALL {
+        let values = v1.abs() | v2.abs();
+        // Or larger ones whose values differ less, if none is a sliver: below, what is
+        // cut off is 4 times 2^-16 a pixel at most.
+        let smooth = self.size < SMALL << 2 && values < SMALL >> 2 && self.is_wide();
+        if (self.size | values) < SMALL || smooth {
             return Some(Gradient {
                 x: self.divide_small(v1 * y2 - v2 * y1, fraction)?,
                 y: self.divide_small(x1 * v2 - x2 * v1, fraction)?,
@@ -123,13 +127,18 @@ impl Plane {
         })
     }
 
-    /// `n / |area|` a pixel, with 16 fractional bits, for a triangle whose area
-    /// has at most 31 bits.
+    /// Whether the area is half a pixel or more.
+    #[inline(always)]
+    fn is_wide(&self) -> bool {
+        self.scale > 0 || self.recip.shift <= 8
+    }
+
+    /// `n / |area|` a pixel, with 16 fractional bits, for `n` of at most 31 bits.
     #[inline(always)]
     fn divide_small(&self, n: i32, fraction: i32) -> Option<i32> {
-        // n / area = high * 2^(32 + shift - 62); a pixel is 2^bits units, and the result has 16 fractional bits.
+        // n / area = high * 2^(32 + shift - scale - 62); a pixel is 2^bits units, and the result has 16 fractional bits.
         let high = mul_high(n, self.recip.mantissa);
-        let up = self.recip.shift as i32 - 30 + self.bits + 16 - fraction;
+        let up = self.recip.shift as i32 - self.scale - 30 + self.bits + 16 - fraction;
         if up <= 0 {
             return Some(high >> up.wrapping_neg().min(31));
         }

@@ -55,8 +55,10 @@ fn doubled_area([a, b, c]: [&ScreenVertex; 3]) -> i64 {
     let (ax, ay) = (a.x().to_bits(), a.y().to_bits());
     let (bx, by) = (b.x().to_bits() - ax, b.y().to_bits() - ay);
     let (cx, cy) = (c.x().to_bits() - ax, c.y().to_bits() - ay);
-    let size = bx.abs() | by.abs() | cx.abs() | cy.abs();
-    if cfg!(narrow_multiply) && size < 1 << 15 {
+    // Whether each is within 15 bits and a sign.
+    const HALF: i32 = 1 << 15;
+    let shifted = (bx + HALF) | (by + HALF) | (cx + HALF) | (cy + HALF);
+    if cfg!(narrow_multiply) && (shifted as u32) < 2 * HALF as u32 {
         return i64::from(bx * cy - cx * by);
     }
     i64::from(bx) * i64::from(cy) - i64::from(cx) * i64::from(by)
