@@ -112,7 +112,7 @@ pub(super) fn fill_small(
 
 /// Finds the pixels of `count` rows between the edges of a triangle, from a pixel on that
 /// is not right of it.
-#[inline(always)]
+#[inline(never)]
 fn find_spans(
     spans: &mut Spans,
     triangle: [&ScreenVertex; 3],
@@ -199,7 +199,7 @@ fn follow_down<const LEFT: bool>(
 
 impl Small {
     /// Sets depth and level at a pixel; `false` if they exceed the formats.
-    #[inline(always)]
+    #[inline(never)]
     fn set_planes<const LEVEL: bool>(
         &mut self,
         triangle: [&ScreenVertex; 3],
