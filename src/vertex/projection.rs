@@ -66,7 +66,7 @@ pub(crate) fn guard(view: &ActorView, distance: i32) -> i32 {
 
 /// Projects a vertex that is within all planes; others get their outcode and no
 /// position. Positions and depth are rounded to nearest.
-#[inline(always)]
+#[inline(never)]
 pub fn project(view: &ActorView, vertex: &ClipVertex) -> ScreenVertex {
     let clip = [vertex.x, vertex.y, vertex.distance];
     let outside = outcode(view, clip);
