@@ -64,7 +64,9 @@ pub(super) fn mul_high_by_halves(a: i32, b: i32) -> i32 {
 pub(super) fn mul_high_u_by_halves(a: u32, b: u32) -> u32 {
     let (a_low, a_high) = (a & 0xffff, a >> 16);
     let (b_low, b_high) = (b & 0xffff, b >> 16);
-    let middle = (a_high * b_low).wrapping_add((a_low * b_low) >> 16);
+    // Hidden from the compiler, which would make a call for a 64-bit product of it.
+    let low = core::hint::black_box((a_low * b_low) >> 16);
+    let middle = (a_high * b_low).wrapping_add(low);
     let carry = (middle & 0xffff).wrapping_add(a_low * b_high);
     (a_high * b_high)
         .wrapping_add(middle >> 16)
