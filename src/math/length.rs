@@ -1,7 +1,8 @@
 //! Lengths and directions in 32 bits.
 
+use super::recip::normal_reciprocal;
 use super::wide::mul_high_u;
-use super::{Scaled, mul_high, mul_q30, reciprocal, square};
+use super::{Scaled, mul_high, mul_q30, square};
 
 /// `2^15 / sqrt(x)` for x in the middle of each 64th of 1..4.
 const SEEDS: [u16; 192] = seeds();
@@ -127,9 +128,11 @@ pub fn short_dot([ax, ay, az]: ShortUnit, [bx, by, bz]: ShortUnit) -> i32 {
 /// `1 / value` for a [`Scaled`] above 0.
 #[inline(never)]
 pub fn scaled_reciprocal(value: Scaled) -> Scaled {
-    let recip = reciprocal(value.mantissa());
-    Scaled::new(
-        recip.mantissa as u32,
-        recip.shift as i32 - 62 - value.exponent(),
-    )
+    let mantissa = value.mantissa();
+    if mantissa == 0 {
+        return Scaled::new((1 << 31) - 1, -31 - value.exponent());
+    }
+    // 62 fractional bits; the first of its 32 is 0.
+    let recip = normal_reciprocal(mantissa) as u32;
+    Scaled::nearly_normal(recip << 1, -63 - value.exponent())
 }

@@ -39,7 +39,7 @@ pub use transform::{Clip, Model, Space, Transform, View, World as WorldSpace};
 pub use vector::{Unit3, Vec3, cross, dot, normalise};
 #[cfg(feature = "ray")]
 pub(crate) use wide::mul_high_u;
-pub use wide::{mul_high, mul_q30, square};
+pub use wide::{mul_high, mul_q30, product, square};
 
 #[cfg(test)]
 mod tests;

@@ -63,8 +63,16 @@ pub(super) fn leading_zeros_by_parts(mut value: u32) -> u32 {
 pub fn reciprocal(value: u32) -> Reciprocal {
     let value = value | u32::from(value == 0);
     let shift = leading_zeros(value);
-    let x = value << shift; // x / 2^31 in 1..2
+    Reciprocal {
+        mantissa: normal_reciprocal(value << shift),
+        shift,
+    }
+}
 
+/// The mantissa of the reciprocal of a value of 32 bits.
+#[inline(always)]
+pub(super) fn normal_reciprocal(x: u32) -> i32 {
+    // x / 2^31 is in 1..2.
     #[expect(clippy::indexing_slicing, reason = "eight bits index 256 entries")]
     let seed = u32::from(SEEDS[((x >> 23) & 0xff) as usize]); // 2^16 / x, 9 bits good
 
@@ -75,9 +83,6 @@ pub fn reciprocal(value: u32) -> Reciprocal {
     // Second step in full width.
     let error = (1i32 << 30) - mul_high_u(x, first) as i32; // Q30, below 2^16
     let second = first.wrapping_add_signed(((first >> 16) as i32 * error) >> 14);
-    Reciprocal {
-        // 2^31 becomes 2^31 - 1.
-        mantissa: (second - (second >> 31)) as i32,
-        shift,
-    }
+    // 2^31 becomes 2^31 - 1.
+    (second - (second >> 31)) as i32
 }

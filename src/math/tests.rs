@@ -157,7 +157,9 @@ mod worked_examples {
 mod quotients {
     use super::super::quotient::floor_by_reciprocal;
     use super::super::recip::leading_zeros_by_parts;
-    use super::super::wide::{mul_high_by_halves, mul_high_u, mul_high_u_by_halves};
+    use super::super::wide::{
+        mul_high_by_halves, mul_high_u, mul_high_u_by_halves, product_by_halves,
+    };
     use super::super::*;
     use proptest::prelude::*;
 
@@ -184,8 +186,24 @@ mod quotients {
         #[test]
         fn high_halves_are_the_same_by_either_way(a in factor(), b in factor()) {
             prop_assert_eq!(mul_high_by_halves(a, b), mul_high(a, b));
+            prop_assert_eq!(product_by_halves(a, b), product(a, b));
             let (a, b) = (a as u32, b as u32);
             prop_assert_eq!(mul_high_u_by_halves(a, b), mul_high_u(a, b));
+        }
+
+        /// Without counting zeros, numbers of any size are what they are with it.
+        #[test]
+        fn scaled_numbers_stay_normal(a in any::<u32>(), b in any::<u32>(), e in -40..40i32) {
+            let (a, b) = (Scaled::new(a, e), Scaled::new(b, -3));
+            for made in [a.times(b), a.plus(b), scaled_reciprocal(a)] {
+                prop_assert_eq!(made, Scaled::new(made.mantissa(), made.exponent()));
+            }
+            let recip = reciprocal(a.mantissa());
+            let expected = Scaled::new(
+                recip.mantissa as u32,
+                recip.shift as i32 - 62 - a.exponent(),
+            );
+            prop_assert_eq!(scaled_reciprocal(a), expected);
         }
 
         #[test]

@@ -23,6 +23,16 @@ pub fn mul_q30(a: i32, b: i32) -> i32 {
     }
 }
 
+/// The product.
+#[inline(always)]
+pub fn product(a: i32, b: i32) -> i64 {
+    if cfg!(narrow_multiply) {
+        product_by_halves(a, b)
+    } else {
+        i64::from(a) * i64::from(b)
+    }
+}
+
 /// The square in 64 bits.
 #[inline(always)]
 pub fn square(v: i32) -> u64 {
@@ -60,6 +70,11 @@ pub(super) fn mul_high_by_halves(a: i32, b: i32) -> i32 {
 }
 
 /// [`mul_high_u`] from four products of 16-bit halves.
+#[inline(always)]
+pub(super) fn product_by_halves(a: i32, b: i32) -> i64 {
+    i64::from(mul_high_by_halves(a, b)) << 32 | i64::from(a.wrapping_mul(b) as u32)
+}
+
 #[inline(always)]
 pub(super) fn mul_high_u_by_halves(a: u32, b: u32) -> u32 {
     let (a_low, a_high) = (a & 0xffff, a >> 16);

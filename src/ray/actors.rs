@@ -23,6 +23,8 @@ struct View {
     bounds: Rect,
     /// The eye in its grid.
     eye: Option<GridPlace>,
+    /// All of it is beyond the near plane.
+    beyond_near: bool,
 }
 
 impl View {
@@ -30,6 +32,7 @@ impl View {
         viewport: 0,
         bounds: Rect::of_size(0, 0),
         eye: None,
+        beyond_near: false,
     };
 }
 
@@ -144,13 +147,16 @@ impl<'a> RayActors<'a> {
                     Rect::of_size(0, 0)
                 },
                 eye: camera.eye().and_then(|eye| actor.place(eye)),
+                beyond_near: camera.eye().is_some()
+                    && camera.is_beyond_near(actor.centre, actor.radius),
             };
         }
         slot.view.bounds
     }
 
     /// An actor, and where a camera's ray that starts at `origin` starts in its grid:
-    /// of a perspective, as kept since [`RayActors::bounds`].
+    /// of a perspective, as kept since [`RayActors::bounds`]; and whether all of it is beyond
+    /// the near plane.
     #[inline(always)]
     pub(super) fn seen(
         &mut self,
@@ -158,14 +164,14 @@ impl<'a> RayActors<'a> {
         viewport: u16,
         camera: &RayCamera,
         origin: [i32; 3],
-    ) -> Option<(&RayActor, Option<GridPlace>)> {
+    ) -> Option<(&RayActor, Option<GridPlace>, bool)> {
         self.bounds(number, viewport, camera);
         let slot = self.slot(number)?;
         let from = match camera.eye() {
             Some(_) => slot.view.eye,
             None => slot.actor.place(origin),
         };
-        Some((&slot.actor, from))
+        Some((&slot.actor, from, slot.view.beyond_near))
     }
 
     /// How many there are.

@@ -5,7 +5,7 @@
 
 use super::actor::{GridPlace, RayActor};
 use super::hierarchy::Hierarchy;
-use crate::math::mul_high;
+use crate::math::{mul_high, product};
 use crate::scene::layout::RAY_STACK;
 use crate::scene::{Child, Leaf};
 
@@ -178,8 +178,7 @@ impl Beam {
 
 /// The cross product of two vectors of 29 bits.
 fn cross([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> [i64; 3] {
-    let area =
-        |p: i32, q: i32, r: i32, s: i32| i64::from(p) * i64::from(q) - i64::from(r) * i64::from(s);
+    let area = |p: i32, q: i32, r: i32, s: i32| product(p, q) - product(r, s);
     [
         area(ay, bz, az, by),
         area(az, bx, ax, bz),

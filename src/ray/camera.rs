@@ -2,7 +2,9 @@
 
 use super::beam::TileRays;
 use super::ray::{FAR, Ray, moved};
-use crate::math::{Rect, SUBPX_BITS, Scaled, Unit3, Vec3, mul_high_u, reciprocal, unit};
+use crate::math::{
+    Reciprocal, Rect, SUBPX_BITS, Scaled, Unit3, Vec3, mul_high_u, reciprocal, unit,
+};
 use crate::scene::PlacedViewport;
 use crate::view::{DepthMap, ViewFrame};
 
@@ -153,6 +155,14 @@ impl RayCamera {
         })
     }
 
+    /// Whether all of a sphere, raw world bits, is surely beyond the near plane.
+    pub(super) fn is_beyond_near(&self, centre: [i32; 3], radius: i32) -> bool {
+        let off = Vec3::from_bits(centre).minus(self.frame.eye);
+        let [.., back] = self.frame.rotation.apply_wide(off);
+        let near = self.near.max(0);
+        -back - i64::from(radius) > near + (near >> 10) + 64
+    }
+
     /// The same as [`RayCamera::bounds`]; `None` of what reaches before the near
     /// plane.
     pub(super) fn bounds_ahead(&self, centre: [i32; 3], radius: i32) -> Option<Rect> {
@@ -247,12 +257,13 @@ impl RayCamera {
             per_length.exponent() + FINE as i32 - self.shift as i32,
         );
         let cosine = cosine.fixed(32);
+        let recip = reciprocal(cosine);
         Cast {
             ray: Ray {
                 origin: self.eye,
                 direction,
-                near: along(self.near, cosine),
-                far: along(self.far, cosine),
+                near: along(self.near, recip),
+                far: along(self.far, recip),
                 on: 0,
             },
             cosine,
@@ -273,13 +284,13 @@ impl RayCamera {
     }
 }
 
-/// From a distance along the line of sight to one along a ray.
+/// From a distance along the line of sight to one along a ray, of which the reciprocal of
+/// the cosine is given.
 #[inline(always)]
-fn along(sight: i64, cosine: u32) -> u32 {
+fn along(sight: i64, recip: Reciprocal) -> u32 {
     let Ok(sight) = u32::try_from(sight) else {
         return FAR;
     };
-    let recip = reciprocal(cosine);
     // recip has 62 - shift fractional bits, the cosine 32.
     let high = mul_high_u(sight, recip.mantissa as u32);
     let up = recip.shift + 2;

@@ -118,6 +118,7 @@ pub(super) fn draw_pass<D: Display, W: Watch>(
         lights: work.lights,
         windows: work.windows,
         waiting: work.waiting,
+        material: None,
         settings: scene.ray_settings(),
         palette,
         background: scene.viewport_background(0),

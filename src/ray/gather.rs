@@ -102,7 +102,7 @@ impl Gathered {
         let size = [tile.width(), tile.height()];
         let mut count = 0;
         for number in listed {
-            let Some((actor, from)) = actors.seen(*number, viewport, camera, eye) else {
+            let Some((actor, from, _)) = actors.seen(*number, viewport, camera, eye) else {
                 return false;
             };
             let Shape::Triangles { first_node, .. } = actor.shape else {

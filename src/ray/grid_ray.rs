@@ -91,6 +91,9 @@ impl GridRay {
         if distance >= super::ray::FAR {
             return i32::MAX;
         }
+        if distance == 0 {
+            return 0;
+        }
         let along = crate::math::Scaled::new(self.along.unsigned_abs(), -28);
         let units = crate::math::Scaled::new(distance, self.from.fraction);
         let units = units.times(along).times(actor.per_bit);

@@ -8,7 +8,7 @@ use super::windows::Windows;
 use crate::light::{Parts, ShortUnit, WorldLights, WorldSums};
 use crate::math::{Scaled, Unit3, mul_high, mul_q30, short_dot, unit};
 use crate::scene::layout::LIGHTS;
-use crate::scene::{LightArea, LightKind, Material, Scene};
+use crate::scene::{LightArea, LightKind, Material, RaySettings, Scene};
 
 /// Where a light is.
 #[derive(Clone, Copy, Debug)]
@@ -87,13 +87,12 @@ fn side_of([x, y, z]: Unit3, [dx, dy, dz]: Unit3) -> i32 {
 /// What a surface gives back of the scene's lights, and which of them reach it.
 #[inline(never)]
 pub(super) fn shine(
-    lights: &RayLights,
+    (lights, settings): (&RayLights, &RaySettings),
     scene: &Scene<'_>,
     (actors, windows): (&mut RayActors<'_>, &mut Windows),
     lit: &Lit<'_>,
     seed: Seed,
 ) -> (Parts, u8) {
-    let settings = scene.ray_settings();
     let surface = lit.surface;
     let normal = shorten(surface.normal);
     let face = shorten(surface.face);

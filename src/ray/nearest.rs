@@ -28,16 +28,28 @@ enum What {
     Rectangle(RectangleHit),
 }
 
+impl Met {
+    /// The meshlet's number in its mesh and the triangle's in that; `None` of a ball or a
+    /// rectangle.
+    pub(super) fn triangle(&self) -> Option<(u32, u8)> {
+        match &self.what {
+            What::Triangle(_, hit) => Some((hit.meshlet, hit.triangle)),
+            _ => None,
+        }
+    }
+}
+
 impl RayActor {
     /// Where a ray first meets this actor, nearer than `far`; `from` is the ray's start
-    /// in the actor's grid, `only` the triangles that it may meet, where that is known.
+    /// in the actor's grid, `only` the triangles that it may meet, where that is known. What
+    /// of its triangles is nearer than `near` is not met.
     #[inline(always)]
     pub(super) fn meet(
         &self,
         scene: &Scene<'_>,
         ray: &Ray,
         from: Option<GridPlace>,
-        far: u32,
+        (near, far): (u32, u32),
         only: Option<Candidates<'_>>,
     ) -> Option<Met> {
         let first_node = match self.shape {
@@ -63,13 +75,17 @@ impl RayActor {
         let grid = GridRay::new(self, ray, from?);
         let mesh = scene.mesh(self.mesh);
         let tree = Hierarchy::new(scene, &mesh, first_node, self.holes);
-        let range = (grid.units(self, ray.near), limit(&grid, self, far));
+        let near = grid.units(self, near);
         let hit = match only {
             Some(only) => {
                 let triangles = only.of(self.number);
-                tree.nearest_of(&grid, self.faces, range, triangles)?
+                // Of the nearest, what is too far is seen below.
+                tree.nearest_of(&grid, self.faces, (near, i32::MAX), triangles)?
             }
-            None => tree.nearest(&grid, self.faces, range)?,
+            None => {
+                let range = (near, limit(&grid, self, far));
+                tree.nearest(&grid, self.faces, range)?
+            }
         };
         let way = self.way(grid.along, grid.from.fraction);
         let distance = Scaled::new(hit.ahead.unsigned_abs(), 0).times(way).fixed(0);
@@ -137,16 +153,6 @@ impl RayActor {
     /// Whether it is met as a ball or a rectangle: a ray that starts on it is told so.
     pub(super) fn is_exact(&self) -> bool {
         !matches!(self.shape, Shape::Triangles { .. })
-    }
-
-    /// The triangle's place in the scene's list.
-    pub(super) fn triangle(&self, scene: &Scene<'_>, met: &Met) -> Option<u32> {
-        let What::Triangle(_, hit) = &met.what else {
-            return None;
-        };
-        let mesh = scene.mesh(self.mesh);
-        let meshlet = scene.meshlet(mesh.first_meshlet.wrapping_add(hit.meshlet))?;
-        Some(meshlet.first_triangle.wrapping_add(hit.triangle.into()))
     }
 
     /// How far from its surface a ray has to start that shall not meet it again: what

@@ -5,7 +5,7 @@ use super::grid_ray::GridRay;
 use super::ray::Ray;
 use super::triangle::{Points, TriangleHit};
 use crate::light::vertex_normal;
-use crate::math::{Unit3, mul_q30, unit};
+use crate::math::{Unit3, mul_q30, product, unit};
 use crate::scene::{Mesh, Meshlet, Record, Scene};
 
 /// A point of a surface.
@@ -153,9 +153,9 @@ fn minus([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> [i32; 3] {
 
 /// The cross product of two vectors, brought to 30 bits.
 fn cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
-    let ([ax, ay, az], [bx, by, bz]) = (a.map(i64::from), b.map(i64::from));
+    let ([ax, ay, az], [bx, by, bz]) = (a, b);
     // 31 bits by 31.
-    let area = |p: i64, q: i64, r: i64, s: i64| (p * q).wrapping_sub(r * s);
+    let area = |p: i32, q: i32, r: i32, s: i32| product(p, q).wrapping_sub(product(r, s));
     let wide = [
         area(ay, bz, az, by),
         area(az, bx, ax, bz),

@@ -235,7 +235,8 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
         let scene = self.tracer.scene;
         let (lookup, lit) = match shown.light {
             Light::Own(material, lit, base) => {
-                (lookup(scene, &scene.material(material), base), lit)
+                let material = self.tracer.material(material);
+                (lookup(scene, &material, base), lit)
             }
             Light::Mixed(lit) => (Lookup::Colours(scene.colours()), lit),
         };
@@ -251,7 +252,11 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
             self.viewport.rect.top + row,
             &Seen {
                 actor: shown.actor,
-                triangle: shown.triangle,
+                triangle: shown.triangle.and_then(|(mesh, meshlet, triangle)| {
+                    let first = scene.mesh(mesh).first_meshlet;
+                    let meshlet = scene.meshlet(first.wrapping_add(meshlet))?;
+                    Some(meshlet.first_triangle.wrapping_add(triangle.into()))
+                }),
                 depth,
                 lights: shown.lights,
                 light: lit,

@@ -26,8 +26,9 @@ pub(super) struct Shown {
     /// The nearest surface: actor, and distance along the ray.
     pub actor: u16,
     pub distance: u32,
-    /// Its triangle's place in the scene's list; `None` of a ball.
-    pub triangle: Option<u32>,
+    /// The mesh's number, the meshlet's in it, and the triangle's in that; `None` of a ball or
+    /// a rectangle.
+    pub triangle: Option<(u16, u32, u8)>,
     /// Lights that reach it: a bit each.
     pub lights: u8,
     pub light: Light,
@@ -49,6 +50,8 @@ pub(super) struct Tracer<'a> {
     pub lights: &'a RayLights,
     pub windows: &'a mut Windows,
     pub waiting: &'a mut WaitingRays,
+    /// The last one that was asked for, with its number.
+    pub material: Option<(u16, Material)>,
     pub settings: RaySettings,
     pub palette: Palette<'a>,
     pub background: Gradient<'a>,
@@ -81,8 +84,9 @@ impl Tracer<'_> {
     ) -> Option<Shown> {
         let (actor, met) = self.seen(ray, view, listed, only)?;
         let which = self.actors.get(actor)?;
-        let optics = which.optics;
-        let triangle = which.triangle(self.scene, &met);
+        let (optics, mesh) = (which.optics, which.mesh);
+        let triangle = met.triangle();
+        let triangle = triangle.map(|(meshlet, triangle)| (mesh, meshlet, triangle));
         let local = self.local(ray, actor, &met, seed)?;
         let light = if optics.reflectivity == 0 && optics.opacity >= ONE {
             Light::Own(local.number, local.lit, local.base)
@@ -115,8 +119,11 @@ impl Tracer<'_> {
                 None => which,
             };
             let seen = self.actors.seen(number, viewport, camera, ray.origin);
-            let Some((actor, from)) = seen else { break };
-            if let Some(met) = actor.meet(self.scene, ray, from, far, only) {
+            let Some((actor, from, beyond_near)) = seen else {
+                break;
+            };
+            let near = if beyond_near { 0 } else { ray.near };
+            if let Some(met) = actor.meet(self.scene, ray, from, (near, far), only) {
                 far = met.distance;
                 best = Some((number, met));
             }
@@ -139,7 +146,7 @@ impl Tracer<'_> {
             } else {
                 actor.place(ray.origin)
             };
-            if let Some(met) = actor.meet(self.scene, ray, from, far, None) {
+            if let Some(met) = actor.meet(self.scene, ray, from, (ray.near, far), None) {
                 far = met.distance;
                 best = Some((next.0, met));
             }
@@ -149,9 +156,9 @@ impl Tracer<'_> {
 
     #[inline(never)]
     pub(super) fn local(&mut self, ray: &Ray, number: u16, met: &Met, seed: Seed) -> Option<Local> {
+        let number_of_material = self.actors.get(number)?.material;
+        let material = self.material(number_of_material);
         let actor = self.actors.get(number)?;
-        let number_of_material = actor.material;
-        let material = self.scene.material(number_of_material);
         let goes_on = actor.optics != Optics::PLAIN;
         let need = Need {
             face: self.settings.shadows || goes_on,
@@ -168,7 +175,7 @@ impl Tracer<'_> {
             on: if exact { number + 1 } else { 0 },
         };
         let (parts, lights) = shine(
-            self.lights,
+            (self.lights, &self.settings),
             self.scene,
             (&mut self.actors, self.windows),
             &lit,
@@ -187,6 +194,19 @@ impl Tracer<'_> {
             lights,
             facing,
         })
+    }
+
+    /// A material: neighbours mostly have the same.
+    #[inline(always)]
+    pub(super) fn material(&mut self, number: u16) -> Material {
+        if let Some((known, material)) = &self.material
+            && *known == number
+        {
+            return *material;
+        }
+        let material = self.scene.material(number);
+        self.material = Some((number, material));
+        material
     }
 
     /// Light on the material's texture; of one that goes by level its base colour.

@@ -1,7 +1,7 @@
 //! A ray and a triangle.
 
 use super::grid_ray::{GridRay, component};
-use crate::math::{mul_high, mul_high_u, reciprocal};
+use crate::math::{mul_high, mul_high_u, product, reciprocal};
 use crate::scene::{Mesh, Meshlet, Scene};
 
 /// Where a ray meets a triangle.
@@ -121,9 +121,7 @@ pub(super) fn meet(
         return None;
     }
     // Twice the areas that the ray forms with the edges: 31 bits by 31.
-    let area = |px: i32, py: i32, qx: i32, qy: i32| {
-        (i64::from(px) * i64::from(qy)).wrapping_sub(i64::from(qx) * i64::from(py))
-    };
+    let area = |px: i32, py: i32, qx: i32, qy: i32| product(px, qy).wrapping_sub(product(qx, py));
     let u = area(bx, by, cx, cy);
     let v = area(cx, cy, ax, ay);
     let w = area(ax, ay, bx, by);
