@@ -195,11 +195,22 @@ pub(super) fn find(
 ) -> Result<usize, Error> {
     let found = actors.iter().position(|actor| actor.name == name);
     found.ok_or_else(|| {
-        table.error(
-            key,
-            format!("no [[actor]] is named \"{name}\"; expected the name of one"),
-        )
+        let what = format!(
+            "no [[actor]] is named \"{name}\"; expected {}",
+            one_of(actors.iter().map(|actor| &actor.name))
+        );
+        table.error(key, what)
     })
+}
+
+/// Names to choose from, for a message: the first few.
+fn one_of<'n>(names: impl Iterator<Item = &'n String>) -> String {
+    const FEW: usize = 8;
+    let mut names: Vec<String> = names.take(FEW + 1).map(|n| format!("\"{n}\"")).collect();
+    if names.len() > FEW {
+        names[FEW] = "another".to_owned();
+    }
+    names.join(" or ")
 }
 
 /// Three factors or six; none is no shear.
@@ -262,17 +273,11 @@ fn material(table: &Table<'_, '_>, materials: &[Material]) -> Result<usize, Erro
     };
     let found = materials.iter().position(|material| material.name == name);
     found.ok_or_else(|| {
-        let names: Vec<_> = materials
-            .iter()
-            .map(|material| format!("\"{}\"", material.name))
-            .collect();
-        table.error(
-            "material",
-            format!(
-                "no [[material]] is named \"{name}\"; expected {}",
-                names.join(" or ")
-            ),
-        )
+        let what = format!(
+            "no [[material]] is named \"{name}\"; expected {}",
+            one_of(materials.iter().map(|material| &material.name))
+        );
+        table.error("material", what)
     })
 }
 

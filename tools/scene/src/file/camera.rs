@@ -1,5 +1,7 @@
 //! `[camera]`, its defaults as VTK has them.
 
+use std::ops::RangeInclusive;
+
 use glam::DVec3;
 
 use super::table::{Keys, Neutral, Table};
@@ -27,6 +29,8 @@ pub(super) const CAMERA: Keys = Keys {
     later: &[("stereo", Neutral::Text("none"))],
 };
 
+/// Degrees.
+const VIEW_ANGLES: RangeInclusive<f64> = 0.01..=179.0;
 /// VTK's.
 const VIEW_ANGLE: f64 = 30.0;
 
@@ -60,9 +64,14 @@ pub(super) fn camera(
     ];
     let kind = table.choice("projection", &kinds, &[])?;
     let kind = kind.unwrap_or(Kind::Perspective);
-    let view_angle = table.number("view_angle", 0.01..=179.0)?;
+    let view_angle = table.number("view_angle", VIEW_ANGLES)?;
     let view_angle = view_angle.unwrap_or(VIEW_ANGLE);
     let parallel_scale = table.number("parallel_scale", super::FACTOR)?;
+    if kind == Kind::Perspective && parallel_scale.is_some() {
+        let what =
+            "is for a parallel camera; expected view_angle, or projection = \"parallel\" too";
+        return Err(table.error("parallel_scale", what));
+    }
     let focal_point = table.numbers("focal_point", super::LENGTH, "[0, 0, 0]")?;
 
     let position = table.numbers("position", super::LENGTH, "[0, 0, 5]")?;
@@ -94,6 +103,15 @@ pub(super) fn camera(
         if let Some(number) = move_number(table, key, quantity)? {
             camera = motion::moved(camera, quantity, [number; 3]);
         }
+    }
+    if let Projection::Perspective { view_angle } = camera.projection
+        && !VIEW_ANGLES.contains(&view_angle)
+    {
+        let what = format!(
+            "makes the view angle {view_angle} degrees; expected it to stay in {:?}",
+            VIEW_ANGLES
+        );
+        return Err(table.error("zoom", what));
     }
     if let Some([right, up]) = pan(table)? {
         camera = motion::moved(camera, Quantity::Pan, [right, up, 0.0]);

@@ -300,11 +300,18 @@ messages! {
             belongs to the camera); \
             expected e.g. matrix = [1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]";
     parent_unknown: "[[actor]]\nmesh = \"meshes/cube.obj\"\nparent = \"arm\""
-        => "t.toml:3: actor.parent: no [[actor]] is named \"arm\"; expected the name of one";
+        => "t.toml:3: actor.parent: no [[actor]] is named \"arm\"; \
+            expected \"actor 0\" or \"actor 1\"";
     parents_in_a_ring: "[[actor]]\nmesh = \"meshes/cube.obj\"\nname = \"a\"\nparent = \"b\"\n\
         [[actor]]\nmesh = \"meshes/cube.obj\"\nname = \"b\"\nparent = \"a\""
         => "t.toml:8: actor.parent: goes round in a ring (\"b\" of \"a\" of \"b\"); \
             expected a chain that ends";
+    parallel_scale_in_perspective: "[camera]\nparallel_scale = 2"
+        => "t.toml:2: camera.parallel_scale: is for a parallel camera; \
+            expected view_angle, or projection = \"parallel\" too";
+    zoomed_too_far: "[camera]\nview_angle = 100\nzoom = 0.5"
+        => "t.toml:3: camera.zoom: makes the view angle 200 degrees; \
+            expected it to stay in 0.01..=179.0";
     dolly_zero: "[camera]\ndolly = 0"
         => "t.toml:2: camera.dolly: 0 is out of range; expected a number in 0.001..=100";
     pan_of_three: "[camera]\npan = [0, 0, 1]"
@@ -331,7 +338,7 @@ messages! {
             expected e.g. viewport = 0 for the first [[viewport]]";
     key_of_an_unknown_actor: "[[animation.key]]\nactor = \"arm\"\nframe = 1\nscale = 5"
         => "t.toml:2: animation.key.actor: no [[actor]] is named \"arm\"; \
-            expected the name of one";
+            expected \"actor 0\"";
     key_without_a_frame: "[[animation.key]]\nactor = \"camera\"\nroll = 5"
         => "t.toml:1: animation.key.frame: is missing; expected e.g. frame = 12";
     key_that_moves_nothing: "[[animation.key]]\nactor = \"camera\"\nframe = 5"
