@@ -55,17 +55,25 @@ pub fn transform_meshlet(
     let lit = gouraud && !full;
     let vertices = scene.meshlet_vertices(meshlet);
     let fine = scene.meshlet_fine(meshlet, &view.mesh);
-    if fine.is_empty() && inside(view, meshlet, &rows) {
+    if inside(view, meshlet, &rows) {
         // Each in a loop of its own: together they would not fit into registers.
-        for (out, vertex) in out.vertices.iter_mut().zip(vertices) {
-            let [x, y, z, _] = vertex.map(i16::from_le);
-            *out = project_inside(view, rows.apply([x, y, z]));
+        if fine.is_empty() {
+            for (out, vertex) in out.vertices.iter_mut().zip(vertices) {
+                let [x, y, z, _] = vertex.map(i16::from_le);
+                *out = project_inside(view, rows.apply([x, y, z]));
+            }
+        } else {
+            for ((out, vertex), fine) in out.vertices.iter_mut().zip(vertices).zip(fine) {
+                let place = rows.apply_fine(fine_place(meshlet, *vertex, *fine));
+                *out = project_inside(view, place);
+            }
         }
         if lit {
-            for (out, vertex) in out.vertices.iter_mut().zip(vertices) {
+            let all = out.vertices.iter_mut().zip(vertices).enumerate();
+            for (i, (out, vertex)) in all {
                 let [.., normal] = vertex.map(i16::from_le);
-                let normal = normal.to_le_bytes().map(|b| b as i8);
-                *out = out.lit(view.lights.level(normal));
+                let low = fine.get(i).map(|[.., low]| *low);
+                *out = out.lit(level(view, normal, low));
             }
         }
     } else if fine.is_empty() {
@@ -188,6 +196,16 @@ fn fine_place(meshlet: &Meshlet, vertex: [i16; 4], fine: [u8; 4]) -> [i32; 3] {
     [(x << sx) + fx, (y << sy) + fy, (z << sz) + fz]
 }
 
+/// The light level of a vertex with a normal as the meshlet has it.
+#[inline(always)]
+fn level(view: &ActorView, normal: i16, low: Option<u8>) -> FineLevel {
+    let normal = normal.to_le_bytes().map(|b| b as i8);
+    match low {
+        Some(low) => view.lights.fine_level(normal, low),
+        None => view.lights.level(normal),
+    }
+}
+
 #[inline(always)]
 fn clip_vertex(
     view: &ActorView,
@@ -197,12 +215,7 @@ fn clip_vertex(
     lit: bool,
 ) -> ClipVertex {
     let level = if lit {
-        let normal = normal.to_le_bytes().map(|b| b as i8);
-        let level = match low {
-            Some(low) => view.lights.fine_level(normal, low),
-            None => view.lights.level(normal),
-        };
-        i32::from(level.to_bits())
+        i32::from(level(view, normal, low).to_bits())
     } else {
         0
     };
