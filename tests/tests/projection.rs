@@ -16,7 +16,7 @@ const SIZE: (u16, u16) = (320, 240);
 
 /// A fine mesh and one that is not.
 static SCENES: LazyLock<[Baked; 2]> = LazyLock::new(|| {
-    ["cube", "teapot"].map(|name| load(&root().join(format!("scenes/{name}.toml"))).1)
+    ["cube", "bunny"].map(|name| load(&root().join(format!("scenes/{name}.toml"))).1)
 });
 
 type V = [f64; 3];
