@@ -58,10 +58,17 @@ fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     fs::write(path, bytes).map_err(|error| format!("{}: {error}", path.display()).into())
 }
 
-/// Writes the cartridge of a linked program beside it; gives its path.
+/// The smallest cartridge: one that fits the console's RAM (256 KB) may be taken for a
+/// program that came over the link cable, by its code's looks, and is then run from there.
+const LEAST: usize = 512 << 10;
+
+/// Writes the cartridge of a linked program beside it, as large as chips are, powers of
+/// two; gives its path.
 pub fn cartridge(program: &Path) -> Result<PathBuf> {
     let path = program.with_extension("gba");
-    write(&path, &elf::flat(program, ROM)?)?;
+    let mut rom = elf::flat(program, ROM)?;
+    rom.resize(rom.len().next_power_of_two().max(LEAST), 0);
+    write(&path, &rom)?;
     Ok(path)
 }
 

@@ -117,11 +117,13 @@ fn summary(bench: &Value, footprint: &Value, accuracy: &Value) -> String {
                 "**Coverage**, {} scenes against an f64 reference",
                 wrong.len()
             ),
-            format!(
-                "no wrong pixel in {}, at most {} in the others",
-                wrong.iter().filter(|n| **n == 0).count(),
-                wrong.iter().max().unwrap_or(&0)
-            ),
+            match wrong.iter().max() {
+                None | Some(0) => "no wrong pixel in any".into(),
+                Some(most) => format!(
+                    "no wrong pixel in {}, at most {most} in the others",
+                    wrong.iter().filter(|n| **n == 0).count()
+                ),
+            },
             "1.4 % too many (embedded-3dgfx)".into(),
         ],
         [
