@@ -111,7 +111,7 @@ pub fn screen() -> Result<Vec<u8>, String> {
 
 /// A core with a cartridge in it.
 pub struct Core {
-    library: Library,
+    object: Library,
     /// The core may read it in place.
     _rom: Vec<u8>,
 }
@@ -122,13 +122,16 @@ impl Core {
         let fail = |error: libloading::Error| format!("{path}: {error}");
         // SAFETY: a core's library runs no code of note when it is loaded.
         let library = unsafe { Library::new(path) }.map_err(fail)?;
-        let core = Self { library, _rom: rom };
+        let core = Self {
+            object: library,
+            _rom: rom,
+        };
         let set = |name, callback: *const c_void| {
             // SAFETY: the libretro interface gives these functions one pointer to a
             // function, and each is given the one whose signature it names.
             unsafe {
                 let set = core
-                    .library
+                    .object
                     .get::<unsafe extern "C" fn(*const c_void)>(name)?;
                 set(callback);
             }
@@ -144,16 +147,13 @@ impl Core {
             // SAFETY: the signature is libretro's, as those below are.
             let version = unsafe {
                 let version = core
-                    .library
+                    .object
                     .get::<unsafe extern "C" fn() -> c_uint>(b"retro_api_version\0")?;
                 version()
             };
             set(b"retro_set_environment\0", environment as *const c_void)?;
             // SAFETY: the environment is set, as it must be.
-            unsafe {
-                core.library
-                    .get::<unsafe extern "C" fn()>(b"retro_init\0")?()
-            };
+            unsafe { core.object.get::<unsafe extern "C" fn()>(b"retro_init\0")?() };
             set(b"retro_set_video_refresh\0", video as *const c_void)?;
             set(b"retro_set_audio_sample\0", audio_sample as *const c_void)?;
             set(b"retro_set_audio_sample_batch\0", audio as *const c_void)?;
@@ -162,7 +162,7 @@ impl Core {
             // SAFETY: the cartridge lives as long as the core.
             let loaded = unsafe {
                 let load = core
-                    .library
+                    .object
                     .get::<unsafe extern "C" fn(*const GameInfo) -> bool>(b"retro_load_game\0")?;
                 load(&raw const game)
             };
@@ -179,7 +179,7 @@ impl Core {
     pub fn frame(&mut self) {
         // SAFETY: a cartridge is loaded, and all call-backs are set.
         unsafe {
-            if let Ok(run) = self.library.get::<unsafe extern "C" fn()>(b"retro_run\0") {
+            if let Ok(run) = self.object.get::<unsafe extern "C" fn()>(b"retro_run\0") {
                 run();
             }
         }
@@ -203,7 +203,7 @@ impl Drop for Core {
         for name in [&b"retro_unload_game\0"[..], b"retro_deinit\0"] {
             // SAFETY: the signature is libretro's, in the order that it asks for.
             unsafe {
-                if let Ok(end) = self.library.get::<unsafe extern "C" fn()>(name) {
+                if let Ok(end) = self.object.get::<unsafe extern "C" fn()>(name) {
                     end();
                 }
             }
