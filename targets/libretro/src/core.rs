@@ -121,11 +121,8 @@ impl Core {
     pub fn load(path: &str, rom: Vec<u8>) -> Result<Self, String> {
         let fail = |error: libloading::Error| format!("{path}: {error}");
         // SAFETY: a core's library runs no code of note when it is loaded.
-        let library = unsafe { Library::new(path) }.map_err(fail)?;
-        let core = Self {
-            object: library,
-            _rom: rom,
-        };
+        let object = unsafe { Library::new(path) }.map_err(fail)?;
+        let core = Self { object, _rom: rom };
         let set = |name, callback: *const c_void| {
             // SAFETY: the libretro interface gives these functions one pointer to a
             // function, and each is given the one whose signature it names.
