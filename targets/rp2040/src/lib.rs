@@ -28,16 +28,3 @@ pub fn halt() -> ! {
         cortex_m::asm::wfi();
     }
 }
-
-/// The scene linked in, whose file `FIXEL_SCENE` names at build time. Its name is how the
-/// footprint finds its size.
-#[macro_export]
-macro_rules! scene {
-    () => {{
-        const BYTES: &[u8] = include_bytes!(env!("FIXEL_SCENE"));
-        #[unsafe(no_mangle)]
-        static FIXEL_SCENE: fixel::Aligned<[u8; BYTES.len()]> =
-            fixel::Aligned(*include_bytes!(env!("FIXEL_SCENE")));
-        &FIXEL_SCENE.0
-    }};
-}

@@ -22,3 +22,19 @@ pub mod selftest;
 pub mod stack;
 
 pub use measure::{Job, Memory, Platform, measure};
+
+#[doc(hidden)]
+pub use fixel::Aligned;
+
+/// The scene linked in, whose file `FIXEL_SCENE` names at build time. Its name is how the
+/// footprint finds its size.
+#[macro_export]
+macro_rules! scene {
+    () => {{
+        const BYTES: &[u8] = include_bytes!(env!("FIXEL_SCENE"));
+        #[unsafe(no_mangle)]
+        static FIXEL_SCENE: $crate::Aligned<[u8; BYTES.len()]> =
+            $crate::Aligned(*include_bytes!(env!("FIXEL_SCENE")));
+        &FIXEL_SCENE.0
+    }};
+}

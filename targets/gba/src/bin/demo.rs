@@ -6,16 +6,7 @@ use fixel_demo::{Cost, Demo, DemoError, Memory};
 use fixel_gba::cycles::CycleCounter;
 use fixel_gba::display::{Mode4, SIZE};
 use fixel_gba::{keys, report};
-
-const BYTES: &[u8] = include_bytes!(env!("FIXEL_SCENE"));
-
-/// Aligned as the scene needs it.
-#[repr(C, align(4))]
-struct Aligned([u8; BYTES.len()]);
-
-/// The baked scene. Its name is how the footprint finds its size.
-#[unsafe(no_mangle)]
-static FIXEL_SCENE: Aligned = Aligned(*include_bytes!(env!("FIXEL_SCENE")));
+use fixel_runner::scene;
 
 /// Pixels of a band, of 16 rows.
 const PIXELS: usize = SIZE.0 as usize * 16;
@@ -30,7 +21,7 @@ extern "C" fn main() -> ! {
     let memory = unsafe { &mut *memory };
     let mut panel = Mode4::new();
     let cycles = CycleCounter::start();
-    let mut demo = match Demo::new(&FIXEL_SCENE.0, SIZE) {
+    let mut demo = match Demo::new(scene!(), SIZE) {
         Ok(demo) => demo,
         Err(error) => stop(error),
     };

@@ -4,17 +4,7 @@
 #![no_main]
 
 use fixel_riscv as _;
-use fixel_runner::{demo, firmware};
-
-const BYTES: &[u8] = include_bytes!(env!("FIXEL_SCENE"));
-
-/// Aligned as the scene needs it.
-#[repr(C, align(4))]
-struct Aligned([u8; BYTES.len()]);
-
-/// The baked scene. Its name is how the footprint finds its size.
-#[unsafe(no_mangle)]
-static FIXEL_SCENE: Aligned = Aligned(*include_bytes!(env!("FIXEL_SCENE")));
+use fixel_runner::{demo, firmware, scene};
 
 static mut MEMORY: demo::Memory = demo::Memory::new();
 
@@ -25,7 +15,7 @@ fn main() -> ! {
     let memory = unsafe { &mut *memory };
     // Hidden from the optimiser, which would otherwise build a firmware that
     // can draw this one scene only.
-    let scene = core::hint::black_box(&FIXEL_SCENE.0);
+    let scene = core::hint::black_box(scene!());
     #[cfg(feature = "faulty")]
     firmware::misbehave(scene);
     firmware::demo(scene, memory)

@@ -8,7 +8,8 @@ use fixel::display::{Changed, Ordered, Packed, Packing};
 use fixel_demo::Memory;
 use fixel_rp2040::board::{Board, Busy};
 use fixel_rp2040::ssd1680::{PAGE, RATE, SIZE, Ssd1680};
-use fixel_rp2040::{Waited, halt, run, scene};
+use fixel_rp2040::{Waited, halt, run};
+use fixel_runner::scene;
 
 const BAND_ROWS: usize = 64;
 const PIXELS: usize = SIZE.0 as usize * BAND_ROWS;

@@ -8,7 +8,8 @@ use fixel::display::{Ordered, Packed, Packing};
 use fixel_demo::Memory;
 use fixel_rp2040::board::Board;
 use fixel_rp2040::ssd1306::{RATE, SIZE, Ssd1306};
-use fixel_rp2040::{Waited, halt, run, scene};
+use fixel_rp2040::{Waited, halt, run};
+use fixel_runner::scene;
 
 /// The whole screen is one band.
 const PIXELS: usize = SIZE.0 as usize * SIZE.1 as usize;

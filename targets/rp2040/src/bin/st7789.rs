@@ -10,7 +10,8 @@ use fixel::display::DoubleBuffered;
 use fixel_demo::Memory;
 use fixel_rp2040::board::Board;
 use fixel_rp2040::st7789::{RATE, St7789};
-use fixel_rp2040::{Waited, halt, run, scene};
+use fixel_rp2040::{Waited, halt, run};
+use fixel_runner::scene;
 
 const SIZE: (u16, u16) = if cfg!(feature = "square") {
     (240, 240)
