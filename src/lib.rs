@@ -12,6 +12,7 @@
 //!   -> per edge, per point: lines, marks   line/
 //!   -> per pixel: fog                       fog/       by depth
 //!   -> Band: rows of indices and depth     frame/
+//!   -> geometry made on the device         immediate/ lines, triangles, spheres by call
 //!   -> palette: index -> panel colour      palette/
 //!   -> Display                             display/
 //! ```
@@ -37,6 +38,7 @@ pub mod cull;
 pub mod display;
 pub mod fog;
 pub mod frame;
+pub mod immediate;
 mod include;
 pub mod light;
 pub mod line;

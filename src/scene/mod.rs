@@ -21,6 +21,7 @@ mod ray;
 mod records;
 mod texture;
 mod track;
+mod units;
 mod viewport;
 
 pub use camera_record::CameraRecord;

@@ -12,6 +12,7 @@ mod model_frame;
 mod on_screen;
 mod row;
 mod view_frame;
+mod world;
 
 pub use actor_view::{ActorView, EyeInGrid};
 pub use depth_map::DepthMap;

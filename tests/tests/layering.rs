@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 /// What each module may import. `render` is the one place that knows all.
-const ALLOWED: [(&str, &[&str]); 15] = [
+const ALLOWED: [(&str, &[&str]); 16] = [
     ("math", &[]),
     ("frame", &["math"]),
     ("scene", &["math"]),
@@ -20,6 +20,12 @@ const ALLOWED: [(&str, &[&str]); 15] = [
     ("shade", &["light", "math", "raster", "scene"]),
     ("palette", &["frame"]),
     ("display", &["frame", "math", "palette", "scene"]),
+    (
+        "immediate",
+        &[
+            "clip", "frame", "light", "line", "math", "raster", "scene", "shade", "vertex", "view",
+        ],
+    ),
     (
         "ray",
         &[

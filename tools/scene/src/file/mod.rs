@@ -94,8 +94,10 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
     annotation::annotations(&root, &mut materials, &mut meshes, &mut actors)?;
     // Behind all that have a number in the file.
     actors.extend(further);
-    if actors.is_empty() {
-        let what = "actor: is missing; expected at least one [[actor]] with a mesh";
+    // Materials alone are for what firmware draws by itself.
+    if actors.is_empty() && many(&root, "material")?.is_empty() {
+        let what = "actor: is missing; expected at least one [[actor]] with a mesh, or a \
+                    [[material]] for what is drawn by call";
         return Err(Error::new(source.file, what));
     }
 

@@ -357,6 +357,8 @@ messages! {
 
 #[test]
 fn no_actor() {
-    let message = "t.toml: actor: is missing; expected at least one [[actor]] with a mesh";
+    let message = "t.toml: actor: is missing; expected at least one [[actor]] with a mesh, or a \
+                   [[material]] for what is drawn by call";
     assert_eq!(read("").unwrap_err(), message);
+    assert!(read("[[material]]\nname = \"a\"").is_ok());
 }
