@@ -73,6 +73,14 @@ impl Baked {
         fixel::Scene::parse(self.bytes())
     }
 
+    pub(crate) fn of_words(words: Vec<u32>, sources: Sources) -> Self {
+        Self { words, sources }
+    }
+
+    pub(crate) fn words(&self) -> &[u32] {
+        &self.words
+    }
+
     /// The blob's bytes, aligned as the core needs them.
     pub fn bytes(&self) -> &[u8] {
         bytemuck::cast_slice(&self.words)
@@ -284,14 +292,19 @@ fn assemble(
         body.chunks_exact(4)
             .map(|c| u32::from_ne_bytes([c[0], c[1], c[2], c[3]])),
     );
-    let mut header = Header {
+    let header = Header {
         length: length as u32,
         ..header
     };
+    seal(&mut words, header);
+    Ok(words)
+}
+
+/// Puts the header at the beginning, with its checksum.
+pub(crate) fn seal(words: &mut [u32], mut header: Header) {
     words[..HEADER_WORDS].copy_from_slice(&header.to_words());
     header.checksum = checksum(&words[CHECKED_FROM / 4..]);
     words[..HEADER_WORDS].copy_from_slice(&header.to_words());
-    Ok(words)
 }
 
 fn records<R: Record>(records: &[R]) -> (Vec<u8>, usize)

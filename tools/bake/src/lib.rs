@@ -19,6 +19,7 @@ mod meshlet;
 mod normal;
 mod oklab;
 mod palette;
+mod panel;
 mod picture;
 mod placement;
 mod ray;

@@ -21,15 +21,7 @@ pub(crate) fn header(scene: &Scene, units: &Units, spread: f64) -> Result<Header
         checksum: 0,
         width: scene.display.width as u16,
         height: scene.display.height as u16,
-        colour_format: match scene.display.colour {
-            ColourFormat::Rgb888 => 0,
-            ColourFormat::Rgb565 => 1,
-            ColourFormat::Rgb444 => 2,
-            ColourFormat::Gray8 => 3,
-            ColourFormat::Gray4 => 4,
-            ColourFormat::Gray2 => 5,
-            ColourFormat::Mono => 6,
-        },
+        colour_format: colour_format(scene.display.colour),
         panel_dithering: panel_dithering(scene.display.dithering) as u8,
         world_exponent: units.exponent as i8,
         world_centre: units.centre,
@@ -49,6 +41,19 @@ pub(crate) fn header(scene: &Scene, units: &Units, spread: f64) -> Result<Header
     })
 }
 
+/// A panel's colours, by their number.
+pub(crate) fn colour_format(format: ColourFormat) -> u8 {
+    match format {
+        ColourFormat::Rgb888 => 0,
+        ColourFormat::Rgb565 => 1,
+        ColourFormat::Rgb444 => 2,
+        ColourFormat::Gray8 => 3,
+        ColourFormat::Gray4 => 4,
+        ColourFormat::Gray2 => 5,
+        ColourFormat::Mono => 6,
+    }
+}
+
 /// The description's ways of dithering and the core's.
 pub(crate) const PANEL_DITHERING: [(PanelDithering, core_scene::PanelDithering); 5] = [
     (PanelDithering::None, core_scene::PanelDithering::None),
@@ -64,7 +69,7 @@ pub(crate) const PANEL_DITHERING: [(PanelDithering, core_scene::PanelDithering);
     ),
 ];
 
-fn panel_dithering(way: PanelDithering) -> core_scene::PanelDithering {
+pub(crate) fn panel_dithering(way: PanelDithering) -> core_scene::PanelDithering {
     let found = PANEL_DITHERING.iter().find(|(own, _)| *own == way);
     found.map_or(core_scene::PanelDithering::None, |(_, core)| *core)
 }

@@ -169,7 +169,7 @@ fn colour_format(format: core_scene::ColourFormat) -> ColourFormat {
     }
 }
 
-fn panel_dithering(way: core_scene::PanelDithering) -> PanelDithering {
+pub(crate) fn panel_dithering(way: core_scene::PanelDithering) -> PanelDithering {
     let found = PANEL_DITHERING.iter().find(|(_, core)| *core == way);
     found.map_or(PanelDithering::None, |(own, _)| *own)
 }

@@ -1,6 +1,7 @@
 //! The command line's words. Scripts rely on them: they only ever grow.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use fixel_scene::{Panel, PanelDithering};
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -57,9 +58,50 @@ pub struct Render {
     /// Figures about the frame as JSON; - for standard output.
     #[arg(long, value_name = "S.json|-")]
     pub stats: Option<Destination>,
-    /// (not there yet) What the picture looks like on a panel.
-    #[arg(long, value_name = "NAME")]
-    pub display: Option<String>,
+    #[command(flatten)]
+    pub screen: Screen,
+}
+
+/// A panel instead of the scene's display.
+#[derive(Debug, Args)]
+pub struct Screen {
+    /// For this panel: its size and colour instead of the scene's.
+    #[arg(long, value_name = "PANEL", value_parser = panel)]
+    pub display: Option<Panel>,
+    /// How it shows greys between its own [default: as the scene says]:
+    /// none, bayer4, bayer8, blue_noise, floyd_steinberg.
+    #[arg(long, value_name = "WAY", value_parser = dithering, requires = "display")]
+    pub dithering: Option<PanelDithering>,
+}
+
+impl Screen {
+    /// The panel, if one was named.
+    pub fn get(&self) -> Option<fixel_scene::Screen> {
+        self.display.map(|panel| fixel_scene::Screen {
+            panel,
+            dithering: self.dithering,
+        })
+    }
+}
+
+fn panel(name: &str) -> Result<Panel, String> {
+    let known = || fixel_scene::PANELS.iter().map(|panel| panel.name);
+    let unknown = || format!("expected one of {}", known().collect::<Vec<_>>().join(", "));
+    Panel::named(name).copied().ok_or_else(unknown)
+}
+
+fn dithering(name: &str) -> Result<PanelDithering, String> {
+    let known = || fixel_scene::DITHERINGS.iter();
+    let names = || {
+        known()
+            .map(|(name, _)| *name)
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
+    let found = known().find(|(known, _)| *known == name);
+    found
+        .map(|(_, way)| *way)
+        .ok_or_else(|| format!("expected one of {}", names()))
 }
 
 #[derive(Debug, Args)]
@@ -112,6 +154,8 @@ pub struct Bake {
     /// For the rasteriser alone, though the scene asks for rays.
     #[arg(long, conflicts_with = "ray")]
     pub raster: bool,
+    #[command(flatten)]
+    pub screen: Screen,
 }
 
 #[derive(Debug, Args)]

@@ -5,7 +5,7 @@ use anyhow::{Result, bail};
 
 /// Bakes a scene into one file.
 pub fn run(args: &args::Bake) -> Result<()> {
-    let mut input = input::load(&args.scene)?;
+    let mut input = input::load_on(&args.scene, args.screen.get())?;
     if let Some(colours) = args.colours {
         if input.baked.is_some() {
             bail!(

@@ -3,7 +3,7 @@
 use crate::args::Frame;
 use anyhow::{Context, Result, bail};
 use fixel_bake::{BakeError, Baked};
-use fixel_scene::Scene;
+use fixel_scene::{Loader, Scene, Screen};
 use std::path::Path;
 
 /// A scene, and its blob if it came baked.
@@ -49,13 +49,21 @@ impl Input {
 /// Loads a scene, a mesh or a baked scene; what the loader has to say goes to
 /// standard error.
 pub fn load(path: &Path) -> Result<Input> {
+    load_on(path, None)
+}
+
+/// The same for a panel, if there is one.
+pub fn load_on(path: &Path, screen: Option<Screen>) -> Result<Input> {
     if path
         .extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case("fxl"))
     {
         let name = || path.display().to_string();
         let bytes = std::fs::read(path).with_context(name)?;
-        let baked = Baked::from_bytes(&bytes).with_context(name)?;
+        let mut baked = Baked::from_bytes(&bytes).with_context(name)?;
+        if let Some(screen) = screen {
+            baked = baked.on(&screen).with_context(name)?;
+        }
         let mut scene = fixel_bake::unbake(&baked.scene()?);
         scene.source.file = path.to_owned();
         return Ok(Input {
@@ -63,7 +71,9 @@ pub fn load(path: &Path) -> Result<Input> {
             baked: Some(baked),
         });
     }
-    let (scene, notes) = fixel_scene::load_with_notes(path)?;
+    let loader = Loader::default();
+    let loader = screen.map_or(loader, |screen| loader.on(screen));
+    let (scene, notes) = loader.load(path)?;
     for note in notes {
         eprintln!("note: {note}");
     }

@@ -3,7 +3,7 @@
 use crate::args::{Destination, Renderer};
 use crate::input::Input;
 use crate::{args, input, output, raster, reference};
-use anyhow::{Result, bail};
+use anyhow::Result;
 use clap::{CommandFactory, error::ErrorKind};
 use fixel_scene::Scene;
 use serde_json::{Map, Value, json};
@@ -28,10 +28,7 @@ pub fn run(args: &args::Render) -> Result<()> {
         None => default_output(&args.scene),
     };
     refuse_same_file(args, &picture_path);
-    if args.display.is_some() {
-        bail!("--display is not there yet");
-    }
-    let input = input::load(&args.scene)?;
+    let input = input::load_on(&args.scene, args.screen.get())?;
     let options = input::options(&input.scene, &args.frame);
     let (width, height) = (options.width, options.height);
     let started = Instant::now();

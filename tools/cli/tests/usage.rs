@@ -95,11 +95,7 @@ fn what_cannot_be_baked_is_told_with_its_line() {
 #[test]
 fn what_is_not_there_yet_says_so() {
     let folder = Folder::new();
-    for words in [
-        "view scene.toml",
-        "estimate scene.toml --board pico",
-        "render scene.toml --display st7789-240x240",
-    ] {
+    for words in ["view scene.toml", "estimate scene.toml --board pico"] {
         let line = folder.fixel(words).fails();
         assert!(line.contains("is not there yet"), "{words}: {line}");
     }
@@ -132,4 +128,29 @@ fn a_scene_that_asks_for_rays_says_how_it_is_baked() {
     );
     let both = folder.fixel("bake mirror.toml -o a.fxl --ray --raster");
     assert_eq!(both.code(), 2);
+}
+
+#[test]
+fn a_scene_is_rendered_and_baked_for_a_panel() {
+    let folder = Folder::new();
+    let mut pictures = Vec::new();
+    for words in [
+        "render scene.toml -o a.png --display ssd1306-128x64 --dithering bayer8",
+        "bake scene.toml -o a.fxl --display ssd1306-128x64 --dithering bayer8",
+        "render a.fxl -o b.png",
+        "bake scene.toml -o own.fxl",
+        "bake own.fxl -o c.fxl --display ssd1306-128x64 --dithering bayer8",
+        "render c.fxl -o c.png",
+    ] {
+        folder.fixel(words).ok();
+    }
+    for name in ["a.png", "b.png", "c.png"] {
+        pictures.push(read_png(folder.path(name)));
+    }
+    let (width, height, ..) = pictures[0];
+    assert_eq!((width, height), (128, 64));
+    assert!(pictures.iter().all(|picture| *picture == pictures[0]));
+    let refused = folder.fixel("render scene.toml --display oled");
+    assert_eq!(refused.code(), 2);
+    assert!(refused.stderr().contains("ssd1306-128x64"));
 }

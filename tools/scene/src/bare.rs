@@ -1,8 +1,6 @@
 //! A bare mesh as a scene of its own: seen from its right and above, lit
 //! from the upper left.
 
-use std::path::Path;
-
 use glam::DVec3;
 
 use crate::description::{
@@ -10,8 +8,10 @@ use crate::description::{
     PanelDithering, Ray, Scene, Source, Stereo,
 };
 use crate::error::Error;
+use crate::files::Origin;
 use crate::framing::{self, Bounds};
 use crate::mesh::{self, Surface};
+use crate::panel::Screen;
 use crate::parts;
 
 /// Degrees from the front towards the mesh's right, and upwards.
@@ -23,8 +23,12 @@ const VIEW_ANGLE: f64 = 30.0;
 const BACKGROUND: [u8; 3] = [0x18, 0x20, 0x2c];
 
 /// Reads the mesh and builds its scene.
-pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error> {
-    let mut loaded = mesh::load(path)?;
+pub(crate) fn scene(
+    origin: Origin<'_>,
+    screen: Option<Screen>,
+    notes: &mut Vec<String>,
+) -> Result<Scene, Error> {
+    let mut loaded = mesh::load(origin)?;
     notes.append(&mut loaded.notes);
     let mut textures = Vec::new();
     let mut meshes = loaded.parts();
@@ -54,6 +58,10 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
         background: Background::Solid(BACKGROUND.map(|channel| f64::from(channel) / 255.0)),
         samples: [1, 1],
         stereo: Stereo::None,
+    };
+    let display = match screen {
+        Some(screen) => screen.of(display),
+        None => display,
     };
     let bounds = Bounds::of(&actors, &meshes, &Animation::default());
     let (sin, cos) = libm::sincos(AZIMUTH.to_radians());
@@ -86,7 +94,7 @@ pub(crate) fn scene(path: &Path, notes: &mut Vec<String>) -> Result<Scene, Error
         palette: Palette::default(),
         ray: Ray::default(),
         source: Source {
-            file: path.to_owned(),
+            file: origin.path.to_owned(),
             ..Source::default()
         },
     })

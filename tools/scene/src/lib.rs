@@ -6,10 +6,13 @@ mod bare;
 mod description;
 mod error;
 mod file;
+mod files;
 mod framing;
+mod loader;
 mod look;
 mod mesh;
 mod motion;
+mod panel;
 mod parts;
 mod picture;
 mod texture;
@@ -18,8 +21,11 @@ use std::path::Path;
 
 pub use description::*;
 pub use error::Error;
+pub use files::{Disk, Files, InMemory};
+pub use loader::Loader;
 pub use look::*;
 pub use motion::{Moment, Reach};
+pub use panel::{DITHERINGS, Feed, PANELS, Panel, Screen};
 pub use texture::*;
 
 /// Reads a scene file (`.toml`), or a bare mesh (`.obj`, `.glb`, `.gltf`,
@@ -49,23 +55,7 @@ pub fn load(path: &Path) -> Result<Scene, Error> {
 /// # Errors
 /// As [`load`].
 pub fn load_with_notes(path: &Path) -> Result<(Scene, Vec<String>), Error> {
-    let mut notes = Vec::new();
-    let scene = if mesh::extension(path) == "toml" {
-        let bytes = mesh::read(path).map_err(|what| Error::new(path, what))?;
-        let text = std::str::from_utf8(&bytes).map_err(|error| {
-            let line = mesh::line_of(&bytes, error.valid_up_to());
-            Error::at_line(path, line, "not UTF-8; expected a TOML file in UTF-8")
-        })?;
-        file::parse(path, text, &mut notes)?
-    } else {
-        mesh::check_name(path).map_err(|_| {
-            let meshes = mesh::EXTENSIONS.join(", .");
-            let what = "is not a kind of file that can be read; expected one of .toml";
-            Error::new(path, format!("{what}, .{meshes}"))
-        })?;
-        bare::scene(path, &mut notes)?
-    };
-    Ok((scene, notes))
+    Loader::default().load(path)
 }
 
 /// Reads one mesh file, by its extension.
@@ -73,5 +63,6 @@ pub fn load_with_notes(path: &Path) -> Result<(Scene, Vec<String>), Error> {
 /// # Errors
 /// As [`load`].
 pub fn load_mesh(path: &Path) -> Result<Mesh, Error> {
-    mesh::load(path).map(|loaded| loaded.mesh)
+    let origin = files::Origin { path, files: &Disk };
+    mesh::load(origin).map(|loaded| loaded.mesh)
 }

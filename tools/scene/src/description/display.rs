@@ -85,6 +85,13 @@ pub enum ColourFormat {
     Mono,
 }
 
+impl ColourFormat {
+    /// Whether it has so few greys that [`PanelDithering`] is for it.
+    pub fn is_dithered(self) -> bool {
+        matches!(self, Self::Gray4 | Self::Gray2 | Self::Mono)
+    }
+}
+
 /// How a panel of 2, 4 or 16 greys shows a grey between two of them: pixels of both, so
 /// many that their light together is its light (taken as the square of the
 /// display-encoded value). The [`Dithering`](super::Dithering) of the palette is another

@@ -7,6 +7,7 @@ use super::many;
 use super::table::Table;
 use crate::description::{Actor, Material, Mesh};
 use crate::error::Error;
+use crate::files::Origin;
 use crate::look::Representation;
 use crate::mesh::{self, Loaded};
 use crate::parts;
@@ -38,14 +39,18 @@ impl Meshes {
         name: &str,
         notes: &mut Vec<String>,
     ) -> Result<usize, Error> {
-        let path = table.source.beside(name);
+        let path = table.source.origin.beside(name);
         if let Some(known) = self.files.iter().position(|(other, _)| *other == path) {
             return Ok(known);
         }
         let bytes = mesh::check_name(&path)
-            .and_then(|()| mesh::read(&path))
+            .and_then(|()| table.source.origin.read(name))
             .map_err(|what| table.file_error("mesh", name, &what, "meshes/teapot.obj"))?;
-        let mut loaded = mesh::parse(&path, &bytes)?;
+        let origin = Origin {
+            path: &path,
+            ..table.source.origin
+        };
+        let mut loaded = mesh::parse(origin, &bytes)?;
         loaded.mesh.name = name.to_owned();
         notes.append(&mut loaded.notes);
         self.files.push((path, loaded));

@@ -40,12 +40,37 @@ enum Kind {
     Parallel,
 }
 
+/// The shape of the picture.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shape {
+    /// Width / height.
+    pub aspect: f64,
+    /// How much more a camera with a place of its own sees in height than its numbers say,
+    /// at least 1: see [`crate::Screen::widening`].
+    pub widening: f64,
+}
+
+impl Shape {
+    /// A view angle, or a parallel scale, widened.
+    fn widen(self, projection: &mut Projection) {
+        if self.widening > 1.0 {
+            match projection {
+                Projection::Perspective { view_angle } => {
+                    let half = libm::tan(view_angle.to_radians() / 2.0) * self.widening;
+                    *view_angle = 2.0 * libm::atan(half).to_degrees();
+                }
+                Projection::Parallel { parallel_scale } => *parallel_scale *= self.widening,
+            }
+        }
+    }
+}
+
 /// Without a position the eye looks along -z and sees all of `bounds`. The tracks of
 /// `target` move it.
 pub(super) fn camera(
     table: Option<&Table<'_, '_>>,
     bounds: &Bounds,
-    aspect: f64,
+    shape: Shape,
     animation: &Animation,
     target: Target,
 ) -> Result<Camera, Error> {
@@ -53,6 +78,7 @@ pub(super) fn camera(
         let cameras = motion::cameras(camera, animation, target);
         framing::clipping_range(&cameras, bounds)
     };
+    let aspect = shape.aspect;
     let Some(table) = table else {
         let mut camera = framing::frame(bounds, DVec3::Z, VIEW_ANGLE, aspect);
         camera.clipping_range = range(&camera);
@@ -94,6 +120,9 @@ pub(super) fn camera(
         camera.projection = Projection::Parallel {
             parallel_scale: parallel_scale.unwrap_or_else(fits),
         };
+    }
+    if position.is_some() || parallel_scale.is_some() {
+        shape.widen(&mut camera.projection);
     }
     if let Some(view_up) = table.numbers("view_up", super::LENGTH, "[0, 1, 0]")? {
         camera.view_up = view_up;

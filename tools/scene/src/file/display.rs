@@ -1,10 +1,10 @@
 //! `[display]`.
 
 use super::colour;
-use super::panel::PANELS;
 use super::table::{Keys, Table};
 use crate::description::{Background, ColourFormat, Display, PanelDithering, Stereo};
 use crate::error::Error;
+use crate::panel::{DITHERINGS, PANELS, Panel};
 
 pub(super) const DISPLAY: Keys = Keys {
     known: &[
@@ -47,9 +47,8 @@ pub(super) fn display(table: Option<&Table<'_, '_>>) -> Result<Display, Error> {
         return Ok(display);
     };
     if let Some(name) = table.text("panel", "st7789-240x240")? {
-        let found = PANELS.iter().find(|(panel, ..)| *panel == name);
-        let Some((_, width, height, colour)) = found else {
-            let names: Vec<_> = PANELS.iter().map(|(panel, ..)| *panel).collect();
+        let Some(panel) = Panel::named(name) else {
+            let names: Vec<_> = PANELS.iter().map(|panel| panel.name).collect();
             return Err(table.error(
                 "panel",
                 format!(
@@ -58,7 +57,7 @@ pub(super) fn display(table: Option<&Table<'_, '_>>) -> Result<Display, Error> {
                 ),
             ));
         };
-        (display.width, display.height, display.colour) = (*width, *height, *colour);
+        (display.width, display.height, display.colour) = (panel.width, panel.height, panel.colour);
     }
     if let Some(width) = table.whole("width", 1..=2048)? {
         display.width = width;
@@ -69,16 +68,8 @@ pub(super) fn display(table: Option<&Table<'_, '_>>) -> Result<Display, Error> {
     if let Some(colour) = table.choice("colour", FORMATS, &[])? {
         display.colour = colour;
     }
-    let ways = [
-        ("none", PanelDithering::None),
-        ("bayer4", PanelDithering::Bayer4),
-        ("bayer8", PanelDithering::Bayer8),
-        ("blue_noise", PanelDithering::BlueNoise),
-        ("floyd_steinberg", PanelDithering::FloydSteinberg),
-    ];
-    if let Some(dithering) = table.choice("dithering", &ways, &[])? {
-        let few = [ColourFormat::Gray4, ColourFormat::Gray2, ColourFormat::Mono];
-        if dithering != PanelDithering::None && !few.contains(&display.colour) {
+    if let Some(dithering) = table.choice("dithering", DITHERINGS, &[])? {
+        if dithering != PanelDithering::None && !display.colour.is_dithered() {
             let what = "is for grey panels of few levels; expected it beside colour = \"gray4\", \
                         \"gray2\" or \"mono\" (colours are dithered by palette.dithering)";
             return Err(table.error("dithering", what));

@@ -14,7 +14,6 @@ mod look;
 mod material;
 mod palette;
 mod palette_file;
-mod panel;
 mod ray;
 mod table;
 #[cfg(test)]
@@ -24,15 +23,18 @@ mod viewport;
 
 use std::collections::HashMap;
 use std::ops::{Range, RangeInclusive};
-use std::path::Path;
 
 use glam::DVec3;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::description::{Camera, Element, Light, LightKind, Material, Scene, Target};
+use crate::description::{
+    Camera, ColourFormat, Element, Light, LightKind, Material, Scene, Target,
+};
 use crate::error::Error;
+use crate::files::Origin;
 use crate::framing::Bounds;
+use crate::panel::Screen;
 use crate::texture::Texture;
 use table::{Keys, Source, Table};
 
@@ -69,15 +71,27 @@ const ROOT: Keys = Keys {
 
 /// Reads the scene file's text and the meshes that it names. Adds to `notes`
 /// what was left out of the meshes.
-pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<Scene, Error> {
-    let source = Source { file, text };
+pub(crate) fn parse(
+    origin: Origin<'_>,
+    text: &str,
+    screen: Option<Screen>,
+    notes: &mut Vec<String>,
+) -> Result<Scene, Error> {
+    let source = Source { origin, text };
     let document = DeTable::parse(text).map_err(|error| syntax_error(&source, &error))?;
     let root = Table::new(&source, "", document.get_ref(), 0..0, &ROOT)?;
 
     let display = one(&root, "display", &display::DISPLAY)?;
-    let display = display::display(display.as_ref())?;
+    let mut display = display::display(display.as_ref())?;
     let palette = one(&root, "palette", &palette::PALETTE)?;
-    let palette = palette::palette(palette.as_ref())?;
+    let mut palette = palette::palette(palette.as_ref())?;
+    let mut widening = 1.0;
+    if let Some(screen) = screen {
+        widening = screen.widening(display.width, display.height);
+        display = screen.of(display);
+        // There is none without a palette but of RGB565.
+        palette.direct &= display.colour == ColourFormat::Rgb565;
+    }
     let mut textures = Vec::new();
     let mut materials = materials(&root, &mut textures)?;
     let (ambient, lights) = lights(&root)?;
@@ -98,7 +112,7 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
     if actors.is_empty() && many(&root, "material")?.is_empty() {
         let what = "actor: is missing; expected at least one [[actor]] with a mesh, or a \
                     [[material]] for what is drawn by call";
-        return Err(Error::new(source.file, what));
+        return Err(Error::new(origin.path, what));
     }
 
     let animation = one(&root, "animation", &animation::ANIMATION)?;
@@ -106,14 +120,17 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
     let animation = animation::animation(animation.as_ref(), &actors, &own_cameras, &palette)?;
 
     let bounds = Bounds::of(&actors, &meshes, &animation);
-    let aspect = f64::from(display.width) / f64::from(display.height);
+    let shape = camera::Shape {
+        aspect: f64::from(display.width) / f64::from(display.height),
+        widening,
+    };
     let camera = one(&root, "camera", &camera::CAMERA)?;
-    let camera = camera::camera(camera.as_ref(), &bounds, aspect, &animation, Target::Camera)?;
+    let camera = camera::camera(camera.as_ref(), &bounds, shape, &animation, Target::Camera)?;
     let fog = one(&root, "fog", &fog::FOG)?;
     let fog = fog.as_ref().map(fog::fog).transpose()?;
     let ray = one(&root, "ray", &ray::RAY)?;
     let ray = ray::ray(ray.as_ref())?;
-    let viewports = viewport::viewports(&root, &bounds, &display, &animation)?;
+    let viewports = viewport::viewports(&root, &bounds, shape, &animation)?;
     let lights = lights.unwrap_or_else(|| vec![headlight(&camera)]);
     Ok(Scene {
         display,
@@ -130,7 +147,7 @@ pub(crate) fn parse(file: &Path, text: &str, notes: &mut Vec<String>) -> Result<
         palette,
         ray,
         source: crate::description::Source {
-            file: file.to_owned(),
+            file: origin.path.to_owned(),
             lines: lines(&root)?,
         },
     })
@@ -174,7 +191,11 @@ fn syntax_error(source: &Source<'_>, error: &toml::de::Error) -> Error {
     let (line, column) = source.place(offset);
     Error {
         column: Some(column),
-        ..Error::at_line(source.file, line, format!("not TOML: {}", error.message()))
+        ..Error::at_line(
+            source.origin.path,
+            line,
+            format!("not TOML: {}", error.message()),
+        )
     }
 }
 

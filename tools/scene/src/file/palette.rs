@@ -41,8 +41,7 @@ pub(super) fn palette(table: Option<&Table<'_, '_>>) -> Result<Palette, Error> {
             let what = "does not go with file, which has all entries; expected one of the two";
             return Err(table.error(key, what));
         }
-        let path = table.source.beside(name);
-        palette.fixed = palette_file::read(&path)
+        palette.fixed = palette_file::read(table.source.origin, name)
             .map_err(|what| table.file_error("file", name, &what, example))?;
         palette.colours = palette.fixed.len() as u32;
     }

@@ -4,13 +4,14 @@
 use std::path::Path;
 
 use super::colour;
+use crate::files::Origin;
 use crate::mesh;
 use crate::picture;
 
 /// The colours of a palette file, 2 to 256 of them.
-pub(super) fn read(path: &Path) -> Result<Vec<[u8; 3]>, String> {
-    let bytes = || mesh::read(path);
-    let colours = match mesh::extension(path).as_str() {
+pub(super) fn read(origin: Origin<'_>, name: &str) -> Result<Vec<[u8; 3]>, String> {
+    let bytes = || origin.read(name);
+    let colours = match mesh::extension(Path::new(name)).as_str() {
         "gpl" => gimp(&bytes()?)?,
         "hex" => list(&bytes()?)?,
         "png" => pixels(&bytes()?)?,

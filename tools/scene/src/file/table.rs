@@ -2,17 +2,17 @@
 //! later, or a mistake: nothing in a scene file is silently ignored.
 
 use std::ops::{Range, RangeInclusive};
-use std::path::{Path, PathBuf};
 
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
 use crate::error::Error;
+use crate::files::Origin;
 
 /// The text of a scene file, to find lines in.
 #[derive(Debug)]
 pub(crate) struct Source<'a> {
-    pub file: &'a Path,
+    pub origin: Origin<'a>,
     pub text: &'a str,
 }
 
@@ -25,13 +25,8 @@ impl Source<'_> {
         (line, column)
     }
 
-    /// The path of a file that the scene file names, beside which it is.
-    pub fn beside(&self, name: &str) -> PathBuf {
-        self.file.parent().unwrap_or(Path::new("")).join(name)
-    }
-
     pub fn error(&self, offset: usize, message: impl Into<String>) -> Error {
-        Error::at_line(self.file, self.place(offset).0, message)
+        Error::at_line(self.origin.path, self.place(offset).0, message)
     }
 }
 

@@ -4,8 +4,8 @@ use toml::de::DeValue;
 
 use super::table::{Keys, Table};
 use crate::error::Error;
+use crate::picture;
 use crate::texture::{Filter, Texture, Texturing, Wrap};
-use crate::{mesh, picture};
 
 pub(super) const TEXTURE: Keys = Keys {
     known: &[
@@ -92,7 +92,11 @@ fn read(
     if let Some(known) = textures.iter().position(|texture| texture.name == name) {
         return Ok(known);
     }
-    let picture = mesh::read(&table.source.beside(name)).and_then(|bytes| picture::decode(&bytes));
+    let picture = table
+        .source
+        .origin
+        .read(name)
+        .and_then(|bytes| picture::decode(&bytes));
     let picture = picture.map_err(|what| table.file_error(key, name, &what, EXAMPLE))?;
     textures.push(picture.texture(name));
     Ok(textures.len() - 1)

@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
+use super::camera::Shape;
 use super::table::{Keys, Table};
 use super::{camera, colour, many};
-use crate::description::{Animation, Aspect, Camera, Display, Target, Viewport};
+use crate::description::{Animation, Aspect, Camera, Target, Viewport};
 use crate::error::Error;
 use crate::framing::Bounds;
 
@@ -24,7 +25,7 @@ const EXAMPLE: &str = "[0.7, 0.7, 0.3, 0.3]";
 pub(super) fn viewports(
     root: &Table<'_, '_>,
     bounds: &Bounds,
-    display: &Display,
+    shape: Shape,
     animation: &Animation,
 ) -> Result<Vec<Viewport>, Error> {
     let mut viewports = Vec::new();
@@ -36,7 +37,7 @@ pub(super) fn viewports(
             return Err(root.source.error(start, what));
         }
         let target = Target::Viewport(viewports.len());
-        viewports.push(viewport(&table, bounds, display, (animation, target))?);
+        viewports.push(viewport(&table, bounds, shape, (animation, target))?);
     }
     Ok(viewports)
 }
@@ -51,7 +52,7 @@ pub(super) fn own_cameras(root: &Table<'_, '_>) -> Result<Vec<bool>, Error> {
 fn viewport(
     table: &Table<'_, '_>,
     bounds: &Bounds,
-    display: &Display,
+    shape: Shape,
     moves: (&Animation, Target),
 ) -> Result<Viewport, Error> {
     let rectangle = rectangle(table)?;
@@ -62,7 +63,10 @@ fn viewport(
         Aspect::Keep => rectangle,
         Aspect::Stretch => [0.0, 0.0, 1.0, 1.0],
     };
-    let shape = (f64::from(display.width) * width) / (f64::from(display.height) * height);
+    let shape = Shape {
+        aspect: shape.aspect * width / height,
+        ..shape
+    };
     Ok(Viewport {
         rectangle,
         camera: own_camera(table, bounds, shape, moves)?,
@@ -74,7 +78,7 @@ fn viewport(
 fn own_camera(
     table: &Table<'_, '_>,
     bounds: &Bounds,
-    shape: f64,
+    shape: Shape,
     (animation, target): (&Animation, Target),
 ) -> Result<Option<Camera>, Error> {
     let Some(value) = table.get("camera") else {

@@ -3,8 +3,6 @@
 //! coordinates, and base colours and textures of their materials. Cameras, lights,
 //! skins, morph targets and all else of materials are left out.
 
-use std::path::Path;
-
 use base64::Engine;
 use glam::{DMat3, DMat4, DQuat, DVec3};
 use gltf::json::validation::Checked;
@@ -14,11 +12,12 @@ use gltf::{Document, Gltf, Node, Primitive, Semantic};
 use super::accessor::{self, Buffers};
 use super::gltf_surface::{self, Part};
 use super::{MAX_TEXTURE_COORDINATE, MAX_TRIANGLES, Refusal, Soup, polygon};
+use crate::files::Origin;
 
 /// Deeper than any sensible scene, and low enough for a scan of all pairs.
 const MAX_NODES: usize = 100_000;
 
-pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Soup, Refusal> {
+pub(super) fn read(origin: Origin<'_>, bytes: &[u8]) -> Result<Soup, Refusal> {
     let unchecked = Gltf::from_slice_without_validation(bytes).map_err(|e| refusal(bytes, &e))?;
     if let Some(extension) = unchecked.extensions_required().next() {
         return Err(Refusal::new(format!(
@@ -28,7 +27,7 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Soup, Refusal> {
     }
     check_positions(&unchecked)?;
     let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(|e| refusal(bytes, &e))?;
-    let buffers = buffers(path, &document, blob)?;
+    let buffers = buffers(origin, &document, blob)?;
     let mut reader = Walk {
         buffers,
         soup: Soup::default(),
@@ -52,7 +51,7 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Soup, Refusal> {
         mut soup,
         parts,
     } = reader;
-    gltf_surface::give(path, &document, &buffers, &parts, &mut soup)?;
+    gltf_surface::give(origin, &document, &buffers, &parts, &mut soup)?;
     Ok(soup)
 }
 
@@ -88,7 +87,11 @@ fn refusal(bytes: &[u8], error: &gltf::Error) -> Refusal {
     }
 }
 
-fn buffers(path: &Path, document: &Document, blob: Option<Vec<u8>>) -> Result<Buffers, Refusal> {
+fn buffers(
+    origin: Origin<'_>,
+    document: &Document,
+    blob: Option<Vec<u8>>,
+) -> Result<Buffers, Refusal> {
     let mut blob = blob;
     let mut buffers = Vec::new();
     for buffer in document.buffers() {
@@ -97,7 +100,7 @@ fn buffers(path: &Path, document: &Document, blob: Option<Vec<u8>>) -> Result<Bu
             gltf::buffer::Source::Bin => blob
                 .take()
                 .ok_or_else(|| wrong("the file has no binary part".to_owned()))?,
-            gltf::buffer::Source::Uri(uri) => uri_data(path, uri).map_err(wrong)?,
+            gltf::buffer::Source::Uri(uri) => uri_data(origin, uri).map_err(wrong)?,
         };
         if data.len() < buffer.length() {
             let (has, needs) = (data.len(), buffer.length());
@@ -109,7 +112,7 @@ fn buffers(path: &Path, document: &Document, blob: Option<Vec<u8>>) -> Result<Bu
 }
 
 /// A `data:` URI's bytes, or those of a file beside the glTF file.
-pub(super) fn uri_data(path: &Path, uri: &str) -> Result<Vec<u8>, String> {
+pub(super) fn uri_data(origin: Origin<'_>, uri: &str) -> Result<Vec<u8>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
         let (_, base64) = data
             .split_once(";base64,")
@@ -119,8 +122,9 @@ pub(super) fn uri_data(path: &Path, uri: &str) -> Result<Vec<u8>, String> {
             .map_err(|error| format!("its data: URI is not base64: {error}"));
     }
     let name = uri.replace("%20", " ");
-    let file = path.parent().unwrap_or(Path::new("")).join(&name);
-    super::read(&file).map_err(|what| format!("\"{name}\" {what}"))
+    origin
+        .read(&name)
+        .map_err(|what| format!("\"{name}\" {what}"))
 }
 
 #[derive(Debug)]

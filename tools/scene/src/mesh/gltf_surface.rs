@@ -1,13 +1,12 @@
 //! What a glTF file's materials say of its surfaces.
 
-use std::path::Path;
-
 use gltf::material::AlphaMode;
 use gltf::{Document, Material};
 
 use super::accessor::Buffers;
 use super::{Refusal, Soup, Surface, gltf_texture};
 use crate::description::Rgb;
+use crate::files::Origin;
 
 /// What a primitive became: vertices and triangles up to the next part's.
 #[derive(Debug)]
@@ -51,7 +50,7 @@ impl Kind {
 /// Gives the soup its surfaces, in the order of their first parts: none if no part has a
 /// material.
 pub(super) fn give(
-    path: &Path,
+    origin: Origin<'_>,
     document: &Document,
     buffers: &Buffers,
     parts: &[Part],
@@ -99,7 +98,7 @@ pub(super) fn give(
             }
         }
         if let (Some(_), Some(material)) = (kind.texture, material(first)) {
-            let (texture, notes) = gltf_texture::read(path, buffers, &material)?;
+            let (texture, notes) = gltf_texture::read(origin, buffers, &material)?;
             surface.texture = texture;
             notes.iter().for_each(|note| soup.note(note));
         }

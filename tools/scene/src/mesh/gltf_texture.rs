@@ -1,7 +1,5 @@
 //! The base-colour texture of a glTF material.
 
-use std::path::Path;
-
 use gltf::Material;
 use gltf::image::Source;
 use gltf::material::AlphaMode;
@@ -10,6 +8,7 @@ use gltf::texture::{MagFilter, MinFilter, WrappingMode};
 use super::Refusal;
 use super::accessor::{self, Buffers};
 use super::gltf::uri_data;
+use crate::files::Origin;
 use crate::picture;
 use crate::texture::{Filter, Texture, Texturing, Wrap};
 
@@ -24,7 +23,7 @@ type Laid = (Texture, Texturing);
 
 /// A material's texture, and what was left out of it.
 pub(super) fn read(
-    path: &Path,
+    origin: Origin<'_>,
     buffers: &Buffers,
     material: &Material<'_>,
 ) -> Result<(Option<Laid>, Vec<&'static str>), Refusal> {
@@ -42,7 +41,7 @@ pub(super) fn read(
             picture::decode(bytes).map_err(wrong)?
         }
         Source::Uri { uri, .. } => {
-            let bytes = uri_data(path, uri).map_err(wrong)?;
+            let bytes = uri_data(origin, uri).map_err(wrong)?;
             picture::decode(&bytes).map_err(wrong)?
         }
     };
@@ -69,7 +68,11 @@ pub(super) fn read(
             notes.push("what shows through is drawn in full, or from half on not at all");
         }
     }
-    let file = path.file_name().unwrap_or_default().to_string_lossy();
+    let file = origin
+        .path
+        .file_name()
+        .unwrap_or_default()
+        .to_string_lossy();
     let name = format!("{file}, images[{}]", image.index());
     Ok((Some((picture.texture(&name), how)), notes))
 }

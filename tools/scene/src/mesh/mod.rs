@@ -23,6 +23,7 @@ use std::path::Path;
 
 use crate::description::{Mesh, Rgb};
 use crate::error::Error;
+use crate::files::Origin;
 pub(crate) use finish::forget_texture_coordinates;
 pub(crate) use surface::Surface;
 
@@ -30,8 +31,6 @@ pub(crate) use primitive::{polygon, rectangle, sphere};
 
 /// More than this is a mistake, not a scene for a microcontroller.
 const MAX_TRIANGLES: usize = 4_000_000;
-/// A text file of as many triangles stays below this.
-const MAX_BYTES: u64 = 1 << 30;
 /// Texture coordinates stay within this, either side of 0.
 const MAX_TEXTURE_COORDINATE: f64 = 1e4;
 /// Coordinates stay within this, either side of 0.
@@ -129,19 +128,6 @@ pub(crate) fn check_name(path: &Path) -> Result<(), String> {
     ))
 }
 
-/// A whole file.
-pub(crate) fn read(path: &Path) -> Result<Vec<u8>, String> {
-    let cannot = |error: std::io::Error| match error.kind() {
-        std::io::ErrorKind::NotFound => "does not exist".to_owned(),
-        _ => format!("cannot be read: {error}"),
-    };
-    let bytes = std::fs::metadata(path).map_err(cannot)?.len();
-    if bytes > MAX_BYTES {
-        return Err(format!("has {bytes} bytes; expected at most {MAX_BYTES}"));
-    }
-    std::fs::read(path).map_err(cannot)
-}
-
 /// The line, from 1, of a byte offset.
 pub(crate) fn line_of(bytes: &[u8], offset: usize) -> usize {
     let before = bytes.iter().take(offset);
@@ -149,19 +135,20 @@ pub(crate) fn line_of(bytes: &[u8], offset: usize) -> usize {
 }
 
 /// Reads one mesh file.
-pub(crate) fn load(path: &Path) -> Result<Loaded, Error> {
-    let bytes = check_name(path)
-        .and_then(|()| read(path))
-        .map_err(|what| Error::new(path, what))?;
-    parse(path, &bytes)
+pub(crate) fn load(origin: Origin<'_>) -> Result<Loaded, Error> {
+    let bytes = check_name(origin.path)
+        .and_then(|()| origin.files.read(origin.path))
+        .map_err(|what| Error::new(origin.path, what))?;
+    parse(origin, &bytes)
 }
 
 /// Reads a mesh file's bytes; the path says which format, and is named in
 /// errors.
-pub(crate) fn parse(path: &Path, bytes: &[u8]) -> Result<Loaded, Error> {
+pub(crate) fn parse(origin: Origin<'_>, bytes: &[u8]) -> Result<Loaded, Error> {
+    let path = origin.path;
     let soup = match extension(path).as_str() {
         "obj" => obj::read(bytes),
-        "glb" | "gltf" => gltf::read(path, bytes),
+        "glb" | "gltf" => gltf::read(origin, bytes),
         "stl" => stl::read(bytes),
         "ply" => ply::read(bytes),
         _ => Err(Refusal::new("is not a kind of mesh file")),

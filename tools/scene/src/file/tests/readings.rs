@@ -1,6 +1,6 @@
 //! What is read.
 
-use super::{ACTOR, parse, path, read, refused};
+use super::{ACTOR, parse_at, path, read, refused};
 use crate::Space;
 use crate::description::{
     Background, ColourFormat, Cull, Dithering, Light, LightKind, Material, Palette, Primitive,
@@ -264,7 +264,7 @@ fn a_gltf_file_brings_its_own_material() {
     let picture = picture::tests::png(1, 1, &[9, 8, 7], image::ColorType::Rgb8);
     let file = mesh::tests::samples::textured_glb(&picture, "", "");
     std::fs::write(folder.join("a.glb"), file).unwrap();
-    let read = |text: &str| parse(&folder.join("t.toml"), text, &mut Vec::new()).unwrap();
+    let read = |text: &str| parse_at(&folder.join("t.toml"), text, None).unwrap();
     let text = "[[material]]\nname = \"clay\"\n[[actor]]\nmesh = \"a.glb\"\n\
                 [[actor]]\nmesh = \"a.glb\"\nmaterial = \"clay\"\n[[actor]]\nmesh = \"a.glb\"\n";
     let scene = read(text);

@@ -12,9 +12,18 @@ use std::path::Path;
 
 use super::{Loaded, parse};
 use crate::description::Mesh;
+use crate::files::{Disk, Origin};
+
+/// A file of this machine.
+fn on_disk(name: &str) -> Origin<'_> {
+    Origin {
+        path: Path::new(name),
+        files: &Disk,
+    }
+}
 
 fn load(name: &str, bytes: &[u8]) -> Result<Loaded, String> {
-    parse(Path::new(name), bytes).map_err(|error| error.to_string())
+    parse(on_disk(name), bytes).map_err(|error| error.to_string())
 }
 
 fn mesh(name: &str, bytes: &[u8]) -> Mesh {

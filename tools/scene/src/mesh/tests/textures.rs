@@ -1,11 +1,9 @@
 //! Texture coordinates, and textures that come with a mesh.
 
-use std::path::Path;
-
 use image::ColorType;
 
 use super::samples::{self, OBJ, PLY};
-use super::{load, mesh, parse, refused};
+use super::{load, mesh, refused};
 use crate::description::Cull;
 use crate::mesh::forget_texture_coordinates;
 use crate::picture::tests::png;
@@ -143,8 +141,8 @@ fn without_a_texture_vertices_on_seams_are_one() {
 
 #[test]
 fn each_texture_of_a_gltf_is_a_surface_of_its_own() {
-    let house = Path::new("../../scenes/meshes/house.gltf");
-    let loaded = parse(house, &std::fs::read(house).unwrap()).unwrap();
+    let house = "../../scenes/meshes/house.gltf";
+    let loaded = load(house, &std::fs::read(house).unwrap()).unwrap();
     assert!(loaded.notes.is_empty(), "{:?}", loaded.notes);
     // Walls, roof; door and path, whose base colours become vertex colours.
     let textures: Vec<_> = loaded
