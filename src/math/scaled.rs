@@ -3,7 +3,7 @@
 
 use super::wide::mul_high_u;
 
-/// `mantissa * 2^exponent`, not negative; relative error 2^-30 an operation.
+/// `mantissa * 2^exponent`, not negative; relative error below 2^-29 an operation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Scaled {
     /// 2^31.. or 0.

@@ -12,7 +12,7 @@ use super::visible_list::Entry;
 /// * `SLOTS` of transformed meshlets that are kept from band to band, 1 KB
 ///   each, at least 1. A meshlet that reaches into the next band and finds no
 ///   slot is transformed again there.
-/// * `ACTORS` whose matrices are kept for the frame, about 0.3 KB each, at
+/// * `ACTORS` whose matrices are kept for the frame, about 0.5 KB each, at
 ///   least 1. Beyond that they are made again whenever the actor changes.
 #[derive(Debug)]
 pub struct Scratch<const MESHLETS: usize, const SLOTS: usize, const ACTORS: usize> {

@@ -1,7 +1,7 @@
 //! What light is worked out with, against f64: roots, directions, powers, numbers of
 //! any size.
 
-use fixel::math::{Scaled, direction, power, reciprocal_root, scaled_reciprocal};
+use fixel::math::{Scaled, direction, power, reciprocal_root, root, scaled_reciprocal, unit};
 use proptest::prelude::*;
 
 #[test]
@@ -51,6 +51,32 @@ proptest! {
         }
         let found = f64::from(found.mantissa()) * 2f64.powi(found.exponent());
         prop_assert!((found / length - 1.0).abs() < 2f64.powi(-13), "{found} of {length}");
+    }
+
+    #[test]
+    fn unit_vectors_are_exact_to_28_bits(v in any::<[i32; 3]>(), down in 0..31u32) {
+        let v = v.map(|c| c >> down);
+        let length = v.map(|c| f64::from(c).powi(2)).iter().sum::<f64>().sqrt();
+        let Some((unit, per_length)) = unit(v) else {
+            prop_assert_eq!(v, [0; 3]);
+            return Ok(());
+        };
+        for (c, u) in v.into_iter().zip(unit) {
+            let off = f64::from(u) / 2f64.powi(30) - f64::from(c) / length;
+            prop_assert!(off.abs() < 2f64.powi(-28), "{unit:?} of {v:?}: 2^{}", off.abs().log2());
+        }
+        let found = f64::from(per_length.mantissa()) * 2f64.powi(per_length.exponent());
+        prop_assert!((found * length - 1.0).abs() < 2f64.powi(-26), "{found} of {length}");
+    }
+
+    #[test]
+    fn square_roots_are_exact_to_26_bits(square in 0u64..1 << 62, down in 0..62u32) {
+        let square = square >> down;
+        let exact = (square as f64).sqrt();
+        let off = f64::from(root(square)) - exact;
+        // Rounded down, so that small ones are off by what they have no bits for.
+        prop_assert!(off < 1e-9 + exact * 2f64.powi(-26), "root of {square} off by {off}");
+        prop_assert!(off > -1.0 - exact * 2f64.powi(-26), "root of {square} off by {off}");
     }
 
     #[test]
