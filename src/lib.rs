@@ -1,23 +1,95 @@
-//! Real-time 3D in fixed point for displays on microcontrollers.
+//! Real-time 3D in fixed point for displays on microcontrollers: no FPU, no heap, RAM for
+//! a few rows of the screen.
 //!
-//! One frame, in order:
+//! # One frame
 //!
 //! ```text
-//! Scene (flash, zero-copy)                 scene/    what there is
-//!   -> per actor: matrix, lights           view/     model -> world -> view -> clip
-//!   -> per meshlet: frustum, cone, rows    cull/     decides from bounds alone
-//!   -> per vertex: transform, light        vertex/   screen position, depth, level
-//!   -> per triangle: near clip, setup      clip/, raster/
-//!   -> per span: depth test, shade         raster/
-//!   -> per edge, per point: lines, marks   line/
-//!   -> per pixel: fog                       fog/       by depth
-//!   -> Band: rows of indices and depth     frame/
-//!   -> geometry made on the device         immediate/ lines, triangles, spheres by call
-//!   -> palette: index -> panel colour      palette/
-//!   -> Display                             display/
+//!              flash                                              RAM
+//! ┌──────────────────────────┐        ┌────────────────────────────────────────────────┐
+//! │ Scene: meshes, materials,│        │ Pose: camera, turns       Scratch: lists, slots│
+//! │ lights, palette          │        │ Band: some rows of indices and depth           │
+//! └────────────┬─────────────┘        └───────────┬────────────────────────────────────┘
+//!              │                                  │
+//!              ├──────────────┬───────────────────┘
+//!              v              v
+//!  an actor     matrix, lights in its space         view/      model -> world -> view -> clip
+//!  a meshlet    frustum, cone, rows                 cull/      decided from bounds alone
+//!  a vertex     transform, project, light           vertex/    place, depth, level
+//!  a triangle   near, far, guard; setup             clip/, raster/
+//!  a span       depth test, shade                   raster/, shade/, light/
+//!  an edge      lines, points, marks                line/
+//!  a pixel      fog, by its depth                   fog/
+//!              │
+//!              v
+//!  Band: rows of palette indices and of depth       frame/
+//!              │  palette: index -> colour          palette/
+//!              v
+//!  Display: an embedded-graphics DrawTarget,        display/
+//!  or a bus of your own
 //! ```
 //!
-//! [`render::render_frame`] is that list as code.
+//! [`render::render_frame`] goes through it, [`render::Bands`] a band at a time. Data flows
+//! down only: a stage imports those before it, and `render` alone knows all. By rays instead
+//! of triangles, with shadows, mirrors and glass: [`ray`].
+//!
+//! # In firmware
+//!
+//! The baker (`fixel bake`) makes a scene of a description and its meshes, which is read in
+//! place:
+//!
+//! ```
+//! use embedded_graphics_core::{draw_target::DrawTarget, geometry::Point, pixelcolor::Rgb565};
+//! use fixel::{Band, DrawTargetDisplay, Scene, SceneError, Scratch, render_frame};
+//!
+//! /// What drawing needs of RAM, whatever the mesh: into a `static`.
+//! struct Memory {
+//!     indices: [u8; 320 * 16],
+//!     depths: [u16; 320 * 16],
+//!     scratch: Scratch<64, 8, 4>, // meshlets listed, kept; actors
+//! }
+//!
+//! /// Shows a scene, such as `fixel::include_scene!("teapot.fxl")`, on any display.
+//! fn show<D: DrawTarget<Color = Rgb565>>(
+//!     blob: &[u8],
+//!     lcd: D,
+//!     memory: &mut Memory,
+//! ) -> Result<(), SceneError> {
+//!     let scene = Scene::parse(blob)?; // checks every number once
+//!     let mut panel = DrawTargetDisplay::new(lcd, Point::zero());
+//!     let mut band = Band::new(320, &mut memory.indices, &mut memory.depths).expect("a row");
+//!     for frame in 0.. {
+//!         let pose = scene.pose(frame);
+//!         let work = &mut memory.scratch.workspace();
+//!         if render_frame(&scene, &pose, work, &mut band, &mut panel).is_err() {
+//!             break; // the bus; drawing itself cannot fail
+//!         }
+//!     }
+//!     Ok(())
+//! }
+//! ```
+//!
+//! Bytes that are no scene are refused, with what is wrong with them:
+//!
+//! ```
+//! use fixel::{Aligned, Scene, SceneError};
+//!
+//! let text = Aligned([b'?'; 1024]);
+//! assert_eq!(Scene::parse(&text.0).err(), Some(SceneError::NotAScene));
+//! ```
+//!
+//! # Where to look
+//!
+//! | for | see |
+//! |---|---|
+//! | a turning object, a moving eye | [`Pose`], [`Placement`], [`Camera`] |
+//! | lines, triangles and spheres made on the device | [`immediate`] |
+//! | a panel, grey ones too; 2D over 3D; sending while drawing; what changed alone | [`display`] |
+//! | where a point is on the screen, what a pixel shows | [`view::ViewFrame`], [`render::pick`] |
+//! | colours that move without drawing | [`palette`], [`Pose::palette_shift`] |
+//! | number formats | [`math`] |
+//!
+//! What is not used is not linked: see the features in `Cargo.toml`. How each algorithm is done
+//! in integers, with its source and its error bound, is told in the repository's `docs/how/`.
 
 #![no_std]
 #![cfg_attr(
