@@ -19,6 +19,7 @@ mod footprint;
 mod gallery;
 mod gba;
 mod libretro;
+mod links;
 mod measure;
 mod panels;
 mod parallel;
@@ -26,6 +27,7 @@ mod parity;
 mod paths;
 mod peers;
 mod picture;
+mod pictures;
 mod problem;
 mod qemu;
 mod readme;
@@ -124,8 +126,11 @@ enum Task {
     Flash(OnBoard),
     /// Build the browser simulator into one folder.
     Web,
-    /// Write docs/gallery.md anew: every scene with its golden frame.
+    /// Write docs/gallery.md anew: every scene with its golden frame; and the pictures of
+    /// docs/how/.
     Gallery,
+    /// Check where the links of all Markdown pages lead.
+    Links,
     /// Write the README's tables anew from fresh figures.
     Readme,
     /// Rewrite golden frames, after a person has looked at them.
@@ -214,7 +219,8 @@ fn run(task: Task) -> Result<()> {
             .into()),
         },
         Task::Web => Err("there is no browser simulator yet".into()),
-        Task::Gallery => gallery::run(),
+        Task::Gallery => gallery::run().and_then(|()| pictures::run()),
+        Task::Links => links::check(),
         Task::Readme => readme::run(),
         Task::Bless => bless::run(),
     }

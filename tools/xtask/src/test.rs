@@ -9,8 +9,8 @@ use crate::measure::Target;
 use crate::problem::Result;
 use crate::report::Tally;
 use crate::{
-    accuracy, child, firmware, footprint, gallery, gba, panels, parity, paths, picture, scene,
-    toolchain,
+    accuracy, child, firmware, footprint, gallery, gba, links, panels, parity, paths, picture,
+    pictures, scene, toolchain,
 };
 
 /// A stage: its name, and what it does.
@@ -246,6 +246,8 @@ fn docs(tally: &mut Tally) {
         tally.check(&name, child::visibly(&mut command));
     }
     tally.check("the gallery is current", gallery::is_current());
+    tally.check("the pages' pictures are current", pictures::are_current());
+    tally.check("links of the pages", links::check());
 }
 
 fn firmware_lints(tally: &mut Tally) {
