@@ -1,6 +1,5 @@
 //! Reciprocals without a division: a table of 256 entries and two
-//! Newton-Raphson steps (the method of D. H. Douglas-style table seeding; see
-//! Ercegovac and Lang, "Digital Arithmetic", chapter 7).
+//! Newton-Raphson steps (Ercegovac and Lang, "Digital Arithmetic", chapter 7).
 
 use super::wide::mul_high_u;
 

@@ -69,12 +69,13 @@ pub(super) fn mul_high_by_halves(a: i32, b: i32) -> i32 {
         .wrapping_add(carry >> 16)
 }
 
-/// [`mul_high_u`] from four products of 16-bit halves.
+/// [`product`] from the high half's four products and the low half.
 #[inline(always)]
 pub(super) fn product_by_halves(a: i32, b: i32) -> i64 {
     i64::from(mul_high_by_halves(a, b)) << 32 | i64::from(a.wrapping_mul(b) as u32)
 }
 
+/// [`mul_high_u`] from four products of 16-bit halves.
 #[inline(always)]
 pub(super) fn mul_high_u_by_halves(a: u32, b: u32) -> u32 {
     let (a_low, a_high) = (a & 0xffff, a >> 16);
