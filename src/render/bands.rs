@@ -64,7 +64,7 @@ impl<'a, 'b> Bands<'a, 'b> {
 
 impl<'a, 'b, P: Paint> Bands<'a, 'b, P> {
     /// Some rows of a frame whose indices mean what `paint` says.
-    pub(super) fn with(
+    pub fn with(
         paint: P,
         scene: &'a Scene<'a>,
         pose: &'a Pose<'a>,

@@ -51,11 +51,16 @@ impl<'a, 'b> Bands<'a, 'b, Direct<'a>> {
         work: &'a mut Workspace<'_>,
         band: &'a mut Band<'b, u16>,
     ) -> Option<Self> {
+        let (paint, rows) = (Direct::new(scene, dither)?, 0..pose.height);
+        Some(Self::with(paint, scene, pose, work, band, rows))
+    }
+}
+
+impl<'a> Direct<'a> {
+    /// Of a scene that is baked for it; `dither` as with [`Bands::direct`].
+    pub fn new(scene: &Scene<'a>, dither: Dither) -> Option<Self> {
         let palette = scene.palette();
-        let (paint, rows) = (Direct { palette, dither }, 0..pose.height);
-        scene
-            .is_direct()
-            .then(|| Self::with(paint, scene, pose, work, band, rows))
+        scene.is_direct().then_some(Self { palette, dither })
     }
 }
 

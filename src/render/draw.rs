@@ -12,7 +12,7 @@ use super::visible_list::Entry;
 use crate::fog::Haze;
 use crate::frame::{Stored, Target};
 use crate::math::{HALF_PX, Rect, SUBPX_BITS, SubPx};
-use crate::raster::{Drawn, Sides, draw_triangle};
+use crate::raster::{Drawn, How, Sides, draw_triangle};
 use crate::scene::{Cull, Meshlet, Scene, Shading};
 use crate::vertex::{TransformedMeshlet, transform_meshlet};
 use crate::view::{ActorView, round_level};
@@ -52,6 +52,7 @@ pub(super) fn draw_meshlet<P: Paint>(
     let held = cache.get(key, entry.end_row, |out| {
         stats.meshlets_transformed += 1;
         stats.vertices += u32::from(meshlet.vertices);
+        paint.transformed(entry.actor, meshlet.vertices);
         let rows = transform_meshlet(scene, view, &meshlet, out);
         // Of lines and points more is drawn than lies between their vertices.
         let inside = rows.is_some();
@@ -184,5 +185,11 @@ impl<P: Paint> Draw for Plain<'_, '_, P> {
         };
         let corners = triangle.corners;
         draw_triangle(self.target, corners, self.sides, view.perspective, fill)
+    }
+
+    #[inline(always)]
+    fn drawn(&self, triangle: &Triangle<'_>, how: How) {
+        let ids = self.part.ids(triangle.number);
+        self.paint.drawn(self.target, triangle.corners, how, ids);
     }
 }

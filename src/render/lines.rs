@@ -11,7 +11,7 @@ use crate::frame::{Stored, Target};
 use crate::light::Lit;
 use crate::line::{DepthRule, Line, Mark, draw_coloured_line, draw_line, draw_mark};
 use crate::math::{FineDepth, SUBPX_BITS};
-use crate::raster::{Drawn, Fill, Sides, draw_depth, draw_triangle};
+use crate::raster::{Drawn, Fill, How, Sides, draw_depth, draw_triangle};
 use crate::scene::layout::CHAINED;
 use crate::scene::{Look, Representation, Scene};
 use crate::shade::{Lookup, Pixel};
@@ -191,6 +191,7 @@ fn draw_edges<P: Paint>(
             actor: part.actor,
             triangle: Ids::EDGE | number,
         };
+        paint.line(target, vertices, ids);
         if is_coloured(part) {
             let [from, to] = indices.map(|index| part.transformed.colour(index));
             let colours = match &clipped {
@@ -252,6 +253,12 @@ impl<P: Paint> Draw for Hidden<'_, '_, P> {
             Some(target) => draw_triangle(target, corners.each_ref(), BOTH, false, || fill),
             None => Drawn::NOTHING,
         }
+    }
+
+    #[inline(always)]
+    fn drawn(&self, triangle: &Triangle<'_>, how: How) {
+        let ids = self.part.ids(triangle.number);
+        self.paint.drawn(self.target, triangle.corners, how, ids);
     }
 }
 

@@ -4,9 +4,10 @@
 use crate::fog::{self, Haze};
 use crate::frame::{Stored, Target};
 use crate::math::Level;
-use crate::raster::Fill;
+use crate::raster::{Fill, How};
 use crate::scene::{Dither, Scene};
 use crate::shade::{Blend, Pixel, blended, dithered};
+use crate::vertex::ScreenVertex;
 
 /// Whose pixel it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,6 +55,19 @@ pub trait Paint: Copy {
 
     /// Fogs what was drawn, if [`Paint::FOGGED`].
     fn fog(&self, _: &mut Target<'_, Self::Stored>, _: &Scene<'_>, _: &Haze) {}
+
+    /// Told, by those who count what a frame takes, of a meshlet's vertices when they are
+    /// transformed.
+    #[inline(always)]
+    fn transformed(&self, _actor: u16, _vertices: u8) {}
+
+    /// The same of a triangle, or a part of one, after its pixels in a target.
+    #[inline(always)]
+    fn drawn<C>(&self, _: &Target<'_, C>, _: [&ScreenVertex; 3], _: How, _: Ids) {}
+
+    /// The same of a line before it is drawn.
+    #[inline(always)]
+    fn line<C>(&self, _: &Target<'_, C>, _: [&ScreenVertex; 2], _: Ids) {}
 }
 
 /// The scene as it looks.

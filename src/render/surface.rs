@@ -9,7 +9,7 @@ use super::triangles::{Done, Draw, Triangle, triangles};
 use crate::frame::{Stored, Target};
 use crate::light::{Parts, Patch, SurfaceLights, sum};
 use crate::math::FineLevel;
-use crate::raster::{Drawn, MOST_ATTRIBUTES, Shade, Sides, SurfaceKind};
+use crate::raster::{Drawn, How, MOST_ATTRIBUTES, Shade, Sides, SurfaceKind};
 use crate::raster::{draw_surface, draw_triangle};
 use crate::scene::Transparency;
 use crate::scene::layout::TEXTURE_SHADES;
@@ -155,6 +155,12 @@ impl<P: Paint> Draw for Surfaces<'_, '_, P> {
         };
         let (kind, sides) = (self.kind, self.sides);
         draw_runs::<MOST_ATTRIBUTES, _, _>(self.target, &others.runs, sides, kind, &others)
+    }
+
+    #[inline(always)]
+    fn drawn(&self, triangle: &Triangle<'_>, how: How) {
+        let ids = self.corners.part.ids(triangle.number);
+        self.paint.drawn(self.target, triangle.corners, how, ids);
     }
 }
 

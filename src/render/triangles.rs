@@ -3,7 +3,7 @@
 use super::draw::Part;
 use super::stats::FrameStats;
 use crate::clip::{Cut, clip};
-use crate::raster::Drawn;
+use crate::raster::{Drawn, How};
 use crate::scene::layout::{MESHLET_TRIANGLES, MESHLET_VERTICES};
 use crate::scene::{Meshlet, Scene};
 use crate::vertex::{ClipVertex, ScreenVertex, TransformedMeshlet, vertex};
@@ -26,6 +26,9 @@ pub(super) struct Triangle<'a> {
 pub(super) trait Draw {
     /// Draws one.
     fn draw(&mut self, triangle: &Triangle<'_>) -> Drawn;
+
+    /// Tells the paint of one that it has drawn.
+    fn drawn(&self, triangle: &Triangle<'_>, how: How);
 }
 
 /// The triangles of a meshlet that have no more pixels: a bit each. In a band are many
@@ -85,12 +88,14 @@ fn triangle(
                 return true;
             }
         }
-        let Drawn { how, more } = to.draw(&Triangle {
+        let triangle = Triangle {
             number,
             indices,
             corners,
             cuts: None,
-        });
+        };
+        let Drawn { how, more } = to.draw(&triangle);
+        to.drawn(&triangle, how);
         stats.count(how);
         return more;
     }
@@ -126,12 +131,14 @@ fn clipped(
     };
     let mut more_of_any = false;
     for (b, c) in all {
-        let Drawn { how, more } = to.draw(&Triangle {
+        let triangle = Triangle {
             number,
             indices,
             corners: [first.0, b.0, c.0],
             cuts: Some([first.1, b.1, c.1]),
-        });
+        };
+        let Drawn { how, more } = to.draw(&triangle);
+        to.drawn(&triangle, how);
         stats.count(how);
         more_of_any |= more;
     }
