@@ -4,7 +4,9 @@
 //! Messages go to standard error. Figures go to standard output, as a table or
 //! with `--json -` as one JSON object and nothing else.
 
+mod accepted;
 mod accuracy;
+mod against;
 mod bench;
 mod bless;
 mod board;
@@ -18,6 +20,8 @@ mod flash;
 mod footprint;
 mod gallery;
 mod gba;
+mod growth;
+mod hostbench;
 mod libretro;
 mod links;
 mod measure;
@@ -28,6 +32,7 @@ mod paths;
 mod peers;
 mod picture;
 mod pictures;
+mod plot;
 mod problem;
 mod qemu;
 mod readme;
@@ -93,9 +98,28 @@ enum Task {
         /// Print the README's table, with other renderers' figures beside ours
         #[arg(long, conflicts_with = "json")]
         markdown: bool,
+        /// Beside the figures of another revision, or of a file that --json wrote
+        #[arg(long, value_name = "REVISION|FILE", conflicts_with = "markdown")]
+        against: Option<String>,
+        /// Make the counts of today those that continuous integration accepts
+        #[arg(long, conflicts_with_all = ["markdown", "against", "scenes"])]
+        accept: bool,
+        /// Wall time on this machine, beside other renderers'
+        #[arg(long, conflicts_with_all = ["markdown", "against", "accept", "scenes"])]
+        host: bool,
+        /// With --host: what each renderer drew in frame 4 goes to this folder
+        #[arg(long, value_name = "DIR", requires = "host")]
+        pictures: Option<PathBuf>,
     },
-    /// Instructions a ray against 1,000 to 100,000 triangles, held to a limit.
-    Scaling(Json),
+    /// Instructions a ray against 1,000 to 100,000 triangles, held to a limit, and
+    /// instructions a frame against pixels, actors and lights.
+    Scaling {
+        #[command(flatten)]
+        json: Json,
+        /// Write those of frames into docs/performance.md, and the plot beside it
+        #[arg(long)]
+        write: bool,
+    },
     /// Code, RAM and stack of a minimal firmware on every board, held to
     /// limits.
     Footprint(Json),
@@ -187,11 +211,40 @@ fn run(task: Task) -> Result<()> {
             json,
             scenes,
             markdown,
+            against,
+            accept,
+            host,
+            pictures,
         } => {
+            if host {
+                let run = |tally: &mut Tally| hostbench::run(tally, pictures.as_deref());
+                return figures(&json, run, hostbench::markdown);
+            }
+            if accept {
+                return figures(&json, accepted::accept, pretty);
+            }
+            if let Some(base) = against {
+                let run = |tally: &mut Tally| against::run(tally, &base, &scenes);
+                return figures(&json, run, against::shown);
+            }
             let show = if markdown { bench::markdown } else { pretty };
             figures(&json, |tally| bench::run(tally, &scenes), show)
         }
-        Task::Scaling(json) => figures(&json, scaling::run, scaling::markdown),
+        Task::Scaling { json, write } => {
+            let run = |tally: &mut Tally| {
+                let grown = growth::run(tally)?;
+                if write {
+                    growth::write(&grown)?;
+                }
+                let mut all = scaling::run(tally)?;
+                if let (Some(all), Some(grown)) = (all.as_object_mut(), grown.as_object()) {
+                    all.extend(grown.clone());
+                }
+                Ok(all)
+            };
+            let show = |all: &Value| scaling::markdown(all) + "\n" + &growth::markdown(all);
+            figures(&json, run, show)
+        }
         Task::Footprint(json) => figures(&json, footprint::run, footprint::markdown),
         Task::Firmware(on) => {
             let file = match on.board {

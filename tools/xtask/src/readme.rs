@@ -33,7 +33,7 @@ pub fn run() -> Result<()> {
 }
 
 /// The text with what stands between a part's comments replaced.
-fn replaced(text: &str, name: &str, part: &str) -> Result<String> {
+pub fn replaced(text: &str, name: &str, part: &str) -> Result<String> {
     let (begin, end) = (
         format!("<!-- {name} -->"),
         format!("<!-- end of {name} -->"),
@@ -46,7 +46,7 @@ fn replaced(text: &str, name: &str, part: &str) -> Result<String> {
             part.trim_end()
         ))
     };
-    cut().ok_or_else(|| format!("README.md has no part between `{begin}` and `{end}`").into())
+    cut().ok_or_else(|| format!("there is no part between `{begin}` and `{end}`").into())
 }
 
 /// The first screen's table: speed, RAM and accuracy beside the alternatives.

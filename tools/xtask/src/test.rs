@@ -9,21 +9,22 @@ use crate::measure::Target;
 use crate::problem::Result;
 use crate::report::Tally;
 use crate::{
-    accuracy, child, firmware, footprint, gallery, gba, links, panels, parity, paths, picture,
-    pictures, scene, toolchain,
+    accepted, accuracy, child, firmware, footprint, gallery, gba, hostbench, links, panels, parity,
+    paths, picture, pictures, scene, toolchain,
 };
 
 /// A stage: its name, and what it does.
 type Stage = (&'static str, fn(&mut Tally));
 
 /// In this order: what is quick and fails often comes first.
-const STAGES: [Stage; 11] = [
+const STAGES: [Stage; 12] = [
     ("format", format),
     ("lints", lints),
     ("tests", tests),
     ("docs", docs),
     ("firmware-lints", firmware_lints),
     ("counter", counter),
+    ("counts", accepted::check),
     ("parity", |tally| {
         let result = parity::run(tally, Target::all(), &[]);
         tally.need("parity", result);
@@ -120,6 +121,9 @@ fn format(tally: &mut Tally) {
             child::visibly(&mut command),
         );
     }
+    let mut command = cargo(&["fmt", "--check", "--manifest-path"]);
+    let result = child::visibly(command.arg(hostbench::manifest()));
+    tally.check("format of tools/hostbench", result);
 }
 
 fn lints(tally: &mut Tally) {
@@ -149,6 +153,12 @@ fn lints(tally: &mut Tally) {
     ];
     let result = child::visibly(&mut cargo(&arguments));
     tally.check("lints of the core without features", result);
+    let mut command = cargo(&["clippy", "--quiet", "--locked", "--manifest-path"]);
+    command
+        .arg(hostbench::manifest())
+        .args(["--", "-D", "warnings"]);
+    let result = child::visibly(&mut command);
+    tally.check("lints of tools/hostbench", result);
     for folder in HOST_CRATES {
         let mut command = cargo_in(folder, &["clippy", "--quiet", "--all-targets"]);
         command.args(["--", "-D", "warnings"]);
