@@ -162,6 +162,7 @@ fn change_every_byte(
                         height: 16,
                         frame: 3,
                         band_rows: Some(5),
+                        camera: None,
                     };
                     assert_eq!(render(&scene, &options).index.len(), 24 * 16);
                     drawn += 1;

@@ -66,6 +66,7 @@ fn drawn(bytes: &[u8]) -> bool {
         height: 16,
         frame: 3,
         band_rows: Some(5),
+        camera: None,
     };
     assert_eq!(render(&scene, &options).index.len(), 24 * 16);
     true

@@ -46,6 +46,7 @@ fn part(planes: &Planes, columns: std::ops::Range<usize>, rows: std::ops::Range<
             .collect(),
         size: planes.size,
         frame: 0,
+        camera: None,
         stats: planes.stats,
     }
 }
@@ -85,6 +86,7 @@ fn each_part_is_what_a_screen_of_its_size_shows() {
                     .collect(),
                 size: right.size,
                 frame: 0,
+                camera: None,
                 stats: right.stats,
             }
         },
@@ -96,6 +98,7 @@ fn each_part_is_what_a_screen_of_its_size_shows() {
         depth: left.depth[..160 * 117].to_vec(),
         size: left.size,
         frame: 0,
+        camera: None,
         stats: left.stats,
     };
     assert_same(&part(&all, 0..160, 0..117), &above, "above the inset");

@@ -36,4 +36,5 @@ mod viewport;
 pub use blob::{Baked, bake, bake_for_rays};
 pub use error::{BakeError, Problem};
 pub use mesh::{Source, Sources};
+pub use records::camera_in;
 pub use unbake::unbake;

@@ -74,6 +74,24 @@ pub(crate) fn panel_dithering(way: PanelDithering) -> core_scene::PanelDithering
     found.map_or(core_scene::PanelDithering::None, |(_, core)| *core)
 }
 
+/// A camera of the description in a baked scene's world, as if it stood in the scene's
+/// file.
+///
+/// # Errors
+/// If the world does not hold it.
+pub fn camera_in(
+    blob: &fixel::Scene<'_>,
+    camera: &Camera,
+) -> Result<core_scene::Camera, BakeError> {
+    let header = blob.header();
+    let units = Units {
+        exponent: header.world_exponent.into(),
+        centre: header.world_centre,
+        centre_exponent: header.centre_exponent.into(),
+    };
+    Ok(self::camera(camera, Element::Camera, &units)?.camera())
+}
+
 /// A camera's record.
 pub(crate) fn camera(
     camera: &Camera,

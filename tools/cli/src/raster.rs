@@ -61,6 +61,7 @@ pub fn render(input: Input, options: Options) -> Result<Rendered> {
         height,
         frame: options.frame,
         band_rows: options.bands.map(|rows| rows.min(most.into()) as u16),
+        camera: None,
     };
     let draw = if options.rays {
         fixel_host::ray_frame

@@ -3,7 +3,7 @@
 use fixel::Scene;
 use fixel::frame::Band;
 use fixel::render::Bands;
-use fixel::scene::Dither;
+use fixel::scene::{Dither, Pose};
 
 use crate::colour::widened;
 use crate::planes::HostScratch;
@@ -12,14 +12,24 @@ use crate::planes::HostScratch;
 /// panel shows them; none of another scene.
 pub fn direct(
     scene: &Scene<'_>,
-    (width, height): (u16, u16),
+    size: (u16, u16),
     rows: u16,
     frame: u32,
     dither: Dither,
 ) -> Vec<[u8; 3]> {
+    direct_posed(scene, size, rows, scene.pose(frame), dither)
+}
+
+/// The same of a pose, whatever its height.
+pub(crate) fn direct_posed(
+    scene: &Scene<'_>,
+    (width, height): (u16, u16),
+    rows: u16,
+    mut pose: Pose<'_>,
+    dither: Dither,
+) -> Vec<[u8; 3]> {
     let pixels = usize::from(width.max(1)) * usize::from(rows.max(1));
     let (mut colours, mut depths) = (vec![0; pixels], vec![0; pixels]);
-    let mut pose = scene.pose(frame);
     pose.height = height;
     let mut scratch = Box::new(HostScratch::new());
     let mut work = scratch.workspace();

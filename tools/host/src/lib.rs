@@ -8,6 +8,7 @@
 mod colour;
 mod compare;
 mod direct;
+mod overdraw;
 mod panel;
 mod picture;
 mod planes;
@@ -16,7 +17,8 @@ mod rays;
 pub use colour::{colours, shown};
 pub use compare::frame;
 pub use direct::direct;
+pub use overdraw::overdraw;
 pub use panel::is_dithered;
 pub use picture::picture;
-pub use planes::{Options, Planes, pick, render, render_turned};
+pub use planes::{Options, Planes, actors, pick, render, render_turned, triangles};
 pub use rays::{ray_frame, render_rays};

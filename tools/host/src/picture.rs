@@ -5,11 +5,11 @@ use std::convert::Infallible;
 use fixel::Scene;
 use fixel::display::{Display, Resolve, Rgb565Rows};
 use fixel::frame::BandRows;
-use fixel::scene::{ColourFormat, Stereo};
+use fixel::scene::{ColourFormat, Pose, Stereo};
 
 use crate::Planes;
 use crate::colour::{colours, pixels, shown, widened};
-use crate::direct::direct;
+use crate::direct::direct_posed;
 use crate::panel::{dithered, is_dithered};
 
 /// The pixels of a frame's picture as the panel shows them, and its size.
@@ -21,11 +21,11 @@ pub fn picture(scene: &Scene<'_>, planes: &Planes) -> (Vec<[u8; 3]>, (u16, u16))
     let palette = fixel::render::palette(scene, &pose);
     let colour = |index: u8| palette.rgb888(index);
     if scene.is_direct() {
-        let (rows, frame) = (planes.size.1, planes.frame);
-        return (
-            direct(scene, planes.size, rows, frame, scene.dither()),
-            size,
-        );
+        let rows = planes.size.1;
+        let camera = planes.camera.unwrap_or(pose.camera);
+        let pose = Pose { camera, ..pose };
+        let dither = scene.dither();
+        return (direct_posed(scene, planes.size, rows, pose, dither), size);
     }
     if !output.is_resolved() {
         if is_dithered(scene) {

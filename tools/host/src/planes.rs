@@ -10,7 +10,7 @@ use fixel::render::{
     FrameStats, Paint, PaintActor, PaintLight, PaintTexel, PaintTriangle, Picked, Scratch, Shaded,
     render_frame, render_frame_with,
 };
-use fixel::scene::{Dither, Pose};
+use fixel::scene::{Camera, Dither, Pose};
 use fixel::{Band, Scene};
 
 /// What to render.
@@ -24,6 +24,8 @@ pub struct Options {
     pub frame: u32,
     /// Rows of a band; `None`: one band as high as the screen.
     pub band_rows: Option<u16>,
+    /// The eye, if it is elsewhere than the scene says.
+    pub camera: Option<Camera>,
 }
 
 impl Options {
@@ -34,6 +36,7 @@ impl Options {
             height: scene.height(),
             frame: 0,
             band_rows: None,
+            camera: None,
         }
     }
 }
@@ -50,6 +53,8 @@ pub struct Planes {
     pub size: (u16, u16),
     /// Which frame of the animation it is.
     pub frame: u32,
+    /// As in [`Options::camera`].
+    pub camera: Option<Camera>,
     /// What the frame took.
     pub stats: FrameStats,
 }
@@ -135,7 +140,7 @@ pub(crate) fn texture_place(scene: &Scene<'_>, options: &Options) -> Vec<[f64; 2
 }
 
 /// Renders the actor of each pixel; meaningless where nothing is.
-pub(crate) fn actors(scene: &Scene<'_>, options: &Options) -> Vec<u16> {
+pub fn actors(scene: &Scene<'_>, options: &Options) -> Vec<u16> {
     let [low, high] = [0, 1].map(|byte| paint(&PaintActor { byte }, scene, options).index);
     let join = |(low, high): (u8, u8)| u16::from_le_bytes([low, high]);
     low.into_iter().zip(high).map(join).collect()
@@ -143,7 +148,7 @@ pub(crate) fn actors(scene: &Scene<'_>, options: &Options) -> Vec<u16> {
 
 /// Renders the triangle (its place in the blob) of each pixel; meaningless where
 /// nothing is.
-pub(crate) fn triangles(scene: &Scene<'_>, options: &Options) -> Vec<u32> {
+pub fn triangles(scene: &Scene<'_>, options: &Options) -> Vec<u32> {
     let bytes = [0, 1, 2, 3].map(|byte| paint(&PaintTriangle { byte }, scene, options).index);
     (0..bytes[0].len())
         .map(|i| u32::from_le_bytes([0, 1, 2, 3].map(|b: usize| bytes[b][i])))
@@ -157,7 +162,7 @@ pub fn pick(scene: &Scene<'_>, options: &Options, x: u16, y: u16) -> Option<Pick
     let (width, height) = output.frame_size((options.width, options.height));
     let (mut indices, mut depths) = (vec![0; width.into()], vec![0; width.into()]);
     let mut scratch = Box::new(HostScratch::new());
-    let mut pose = scene.pose(options.frame);
+    let mut pose = posed(scene, options);
     pose.height = height;
     let mut band = Band::new(width, &mut indices, &mut depths).ok()?;
     let [across, down] = output.samples.map(u16::from);
@@ -174,6 +179,13 @@ fn paint<P: Paint<Stored = u8>>(paint: &P, scene: &Scene<'_>, options: &Options)
     })
 }
 
+/// The scene in the frame, seen from where the options say.
+fn posed<'s>(scene: &Scene<'s>, options: &Options) -> Pose<'s> {
+    let pose = scene.pose(options.frame);
+    let camera = options.camera.unwrap_or(pose.camera);
+    Pose { camera, ..pose }
+}
+
 /// The planes of a frame that `draw` draws in bands.
 pub(crate) fn collected<'s>(
     scene: &Scene<'s>,
@@ -184,13 +196,14 @@ pub(crate) fn collected<'s>(
     let rows = options.band_rows.unwrap_or(height).clamp(1, height.max(1));
     let pixels = usize::from(width.max(1)) * usize::from(rows);
     let (mut indices, mut depths) = (vec![0; pixels], vec![0; pixels]);
-    let mut pose = scene.pose(options.frame);
+    let mut pose = posed(scene, options);
     pose.height = height;
     let mut collector = Collector(Planes {
         index: Vec::new(),
         depth: Vec::new(),
         size: (width, height),
         frame: options.frame,
+        camera: options.camera,
         stats: FrameStats::default(),
     });
     // The buffers hold `rows` rows of 1..=2048 pixels: a band there is.

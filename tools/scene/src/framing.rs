@@ -143,13 +143,21 @@ pub(crate) fn parallel_scale(bounds: &Bounds, aspect: f64) -> f64 {
 /// of its places. What reaches behind the eye is cut at a hundredth of the far
 /// distance, as VTK does for a depth buffer of 16 bits.
 pub(crate) fn clipping_range(cameras: &[Camera], bounds: &Bounds) -> [f64; 2] {
+    clipping_range_of(cameras, bounds.spheres.iter().copied())
+}
+
+/// The same for spheres: centres and radii.
+pub(crate) fn clipping_range_of(
+    cameras: &[Camera],
+    spheres: impl Iterator<Item = (DVec3, f64)> + Clone,
+) -> [f64; 2] {
     const NEAR_OF_FAR: f64 = 0.01;
     let (mut near, mut far) = (f64::INFINITY, f64::NEG_INFINITY);
     for camera in cameras {
         let position = DVec3::from(camera.position);
         let sight = (DVec3::from(camera.focal_point) - position).normalize();
-        for (centre, radius) in &bounds.spheres {
-            let depth = (*centre - position).dot(sight);
+        for (centre, radius) in spheres.clone() {
+            let depth = (centre - position).dot(sight);
             near = near.min(depth - radius);
             far = far.max(depth + radius);
         }

@@ -4,7 +4,7 @@
 use glam::{DMat4, DVec3};
 
 use crate::description::{Actor, Animation, Camera, Projection, Quantity, Scene, Target, Track};
-use crate::framing::Bounds;
+use crate::framing::{Bounds, clipping_range_of};
 
 /// Angles of a turntable at which its bounds are looked at. The box of a
 /// turning box between two of them is larger by less than 1 in 1000.
@@ -217,6 +217,18 @@ impl Reach {
             actors: bounds.spheres().iter().map(sphere).collect(),
             views,
         }
+    }
+}
+
+impl Reach {
+    /// A clipping range for a camera that somebody moves by hand: before and behind
+    /// all that moves, as one is made for a scene file that has none.
+    pub fn clipping_range(&self, camera: &Camera) -> [f64; 2] {
+        let spheres = self
+            .actors
+            .iter()
+            .map(|(centre, r)| (DVec3::from(*centre), *r));
+        clipping_range_of(&[*camera], spheres)
     }
 }
 

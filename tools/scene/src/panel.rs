@@ -1,6 +1,6 @@
 //! Panels by name: `panel = "st7789-240x240"` stands for width, height and colour.
 
-use crate::description::{ColourFormat, Display, PanelDithering};
+use crate::description::{ColourFormat, Display, PanelDithering, Scene};
 
 /// A panel in the orientation that its name says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -181,6 +181,21 @@ impl Screen {
             dithering: self.dithering(display.dithering),
             ..display
         }
+    }
+
+    /// A scene that was loaded for another display, without loading it anew: as
+    /// [`Loader::on`](crate::Loader::on), but that cameras that were framed automatically
+    /// stay where they are and see more in height too. Only panels of RGB565 do without a
+    /// palette.
+    pub fn apply(&self, scene: &mut Scene) {
+        let widening = self.widening(scene.display.width, scene.display.height);
+        let own = scene.viewports.iter_mut();
+        let own = own.filter_map(|viewport| viewport.camera.as_mut());
+        for camera in own.chain([&mut scene.camera]) {
+            camera.projection.widen(widening);
+        }
+        scene.display = self.of(scene.display.clone());
+        scene.palette.direct &= self.panel.colour == ColourFormat::Rgb565;
     }
 
     /// How much more than before is to be seen in height, so that nothing is lost in width

@@ -180,6 +180,7 @@ fn expected(baked: &Baked, frame: u32, turn: u32) -> Result<Expected> {
         height: HEIGHT,
         frame,
         band_rows: None,
+        camera: None,
     };
     let planes = fixel_host::render_turned(&scene, &options, Angle::from_bits(turn << 16));
     let pose = scene.pose(frame);

@@ -135,6 +135,7 @@ fn rendered(device: &Device, baked: &Baked, report: Report) -> Result<Vec<u8>> {
         height: device.size.1,
         frame: report.frame,
         band_rows: None,
+        camera: None,
     };
     let turn = Angle::from_bits(report.turn << 16);
     let planes = fixel_host::render_turned(&scene, &options, turn);

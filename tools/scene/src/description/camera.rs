@@ -34,6 +34,22 @@ pub enum Projection {
     },
 }
 
+impl Projection {
+    /// Shows more in height, by a factor of at least 1: of the view angle's tangent, or of the
+    /// parallel scale.
+    pub fn widen(&mut self, factor: f64) {
+        if factor > 1.0 {
+            match self {
+                Self::Perspective { view_angle } => {
+                    let half = libm::tan(view_angle.to_radians() / 2.0) * factor;
+                    *view_angle = 2.0 * libm::atan(half).to_degrees();
+                }
+                Self::Parallel { parallel_scale } => *parallel_scale *= factor,
+            }
+        }
+    }
+}
+
 /// A part of the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Viewport {

@@ -53,15 +53,7 @@ pub(super) struct Shape {
 impl Shape {
     /// A view angle, or a parallel scale, widened.
     fn widen(self, projection: &mut Projection) {
-        if self.widening > 1.0 {
-            match projection {
-                Projection::Perspective { view_angle } => {
-                    let half = libm::tan(view_angle.to_radians() / 2.0) * self.widening;
-                    *view_angle = 2.0 * libm::atan(half).to_degrees();
-                }
-                Projection::Parallel { parallel_scale } => *parallel_scale *= self.widening,
-            }
-        }
+        projection.widen(self.widening);
     }
 }
 

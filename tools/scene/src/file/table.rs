@@ -153,9 +153,12 @@ impl<'t, 'i> Table<'t, 'i> {
         match self.get(key).map(Spanned::get_ref) {
             None => Ok(None),
             Some(DeValue::String(text)) => Ok(Some(text)),
-            Some(_) => Err(self.error(
+            Some(other) => Err(self.error(
                 key,
-                format!("is not a string; expected e.g. {key} = \"{example}\""),
+                format!(
+                    "{} is not a string; expected e.g. {key} = \"{example}\"",
+                    found(other)
+                ),
             )),
         }
     }
@@ -166,8 +169,10 @@ impl<'t, 'i> Table<'t, 'i> {
             return Ok(None);
         };
         let expected = format!("expected a number in {}..={}", range.start(), range.end());
-        let number = to_f64(value.get_ref())
-            .ok_or_else(|| self.error(key, format!("is not a number; {expected}")))?;
+        let number = to_f64(value.get_ref()).ok_or_else(|| {
+            let found = found(value.get_ref());
+            self.error(key, format!("{found} is not a number; {expected}"))
+        })?;
         if range.contains(&number) {
             Ok(Some(number))
         } else {
@@ -180,9 +185,12 @@ impl<'t, 'i> Table<'t, 'i> {
         match self.get(key).map(Spanned::get_ref) {
             None => Ok(None),
             Some(DeValue::Boolean(value)) => Ok(Some(*value)),
-            Some(_) => Err(self.error(
+            Some(other) => Err(self.error(
                 key,
-                format!("is neither true nor false; expected e.g. {key} = true"),
+                format!(
+                    "{} is neither true nor false; expected e.g. {key} = true",
+                    found(other)
+                ),
             )),
         }
     }
@@ -198,7 +206,8 @@ impl<'t, 'i> Table<'t, 'i> {
             range.end()
         );
         let DeValue::Integer(integer) = value.get_ref() else {
-            return Err(self.error(key, format!("is not a whole number; {expected}")));
+            let found = found(value.get_ref());
+            return Err(self.error(key, format!("{found} is not a whole number; {expected}")));
         };
         match u32::from_str_radix(integer.as_str(), integer.radix()) {
             Ok(number) if range.contains(&number) => Ok(Some(number)),
@@ -226,7 +235,10 @@ impl<'t, 'i> Table<'t, 'i> {
         }
         let mut numbers = [0.0; N];
         for (number, value) in numbers.iter_mut().zip(array.iter()) {
-            *number = to_f64(value.get_ref()).ok_or_else(|| wrong("holds what is not a number"))?;
+            *number = to_f64(value.get_ref()).ok_or_else(|| {
+                let found = found(value.get_ref());
+                wrong(&format!("holds {found}, which is not a number"))
+            })?;
             if !(-limit..=limit).contains(number) {
                 return Err(wrong(&format!(
                     "{number} is out of range (-{limit:e}..={limit:e})"
@@ -241,9 +253,12 @@ impl<'t, 'i> Table<'t, 'i> {
         match self.get(key).map(Spanned::get_ref) {
             None => Ok(None),
             Some(DeValue::Array(array)) => Ok(Some(array)),
-            Some(_) => Err(self.error(
+            Some(other) => Err(self.error(
                 key,
-                format!("is not an array; expected e.g. {key} = {example}"),
+                format!(
+                    "{} is not an array; expected e.g. {key} = {example}",
+                    found(other)
+                ),
             )),
         }
     }
@@ -294,6 +309,20 @@ pub(crate) fn to_f64(value: &DeValue<'_>) -> Option<f64> {
             .ok()
             .map(|integer| integer as f64),
         _ => None,
+    }
+}
+
+/// A value as a message calls it.
+fn found(value: &DeValue<'_>) -> String {
+    match value {
+        DeValue::String(text) if text.len() <= 40 => format!("\"{text}\""),
+        DeValue::String(_) => "a long text".into(),
+        DeValue::Integer(integer) => integer.to_string(),
+        DeValue::Float(float) => float.to_string(),
+        DeValue::Boolean(value) => value.to_string(),
+        DeValue::Datetime(date) => date.to_string(),
+        DeValue::Array(_) => "an array".into(),
+        DeValue::Table(_) => "a table".into(),
     }
 }
 

@@ -77,7 +77,11 @@ fn check_positions(document: &Document) -> Result<(), Refusal> {
 }
 
 fn refusal(bytes: &[u8], error: &gltf::Error) -> Refusal {
-    let message = format!("no valid glTF: {error}");
+    let message = match error.to_string() {
+        // The reader's words for it.
+        cut if cut.contains("fill whole buffer") => "no valid glTF: it is cut short".into(),
+        other => format!("no valid glTF: {other}"),
+    };
     match error {
         // In a GLB the line is one of a hidden text.
         gltf::Error::Deserialize(json) if !bytes.starts_with(b"glTF") => {

@@ -32,7 +32,7 @@ messages! {
     width_zero: "[display]\nwidth = 0"
         => "t.toml:2: display.width: 0 is out of range; expected a whole number in 1..=2048";
     width_text: "[display]\nwidth = \"wide\""
-        => "t.toml:2: display.width: is not a whole number; expected a whole number in 1..=2048";
+        => "t.toml:2: display.width: \"wide\" is not a whole number; expected a whole number in 1..=2048";
     colour_format: "[display]\ncolour = \"rgb\""
         => "t.toml:2: display.colour: \"rgb\" is unknown; expected \"rgb888\" or \"rgb565\" or \
             \"rgb444\" or \"gray8\" or \"gray4\" or \"gray2\" or \"mono\"";
@@ -98,7 +98,7 @@ messages! {
     ray_samples: "[ray]\nsamples = 5"
         => "t.toml:2: ray.samples: 5 is out of range; expected 1, 4, 8 or 16";
     ray_shadows: "[ray]\nshadows = 1"
-        => "t.toml:2: ray.shadows: is neither true nor false; expected e.g. shadows = true";
+        => "t.toml:2: ray.shadows: 1 is neither true nor false; expected e.g. shadows = true";
     point_without_position: "[[light]]\nkind = \"point\""
         => "t.toml:1: light.position: is missing; \
             expected the light's place, e.g. position = [0, 4, 2]";
@@ -275,7 +275,7 @@ messages! {
         => "t.toml:4: marker.depth_test: says nothing on the screen, which has no depth; \
             expected no such key";
     closed_by_a_word: "[[line]]\npoints = [[0, 0, 0], [1, 0, 0]]\nclosed = \"yes\""
-        => "t.toml:3: line.closed: is neither true nor false; expected e.g. closed = true";
+        => "t.toml:3: line.closed: \"yes\" is neither true nor false; expected e.g. closed = true";
     strange_letter: "[[text]]\nposition = [0, 0, 0]\ntext = \"\u{3bb}\""
         => "t.toml:3: text.text: '\u{3bb}' is in none of the fonts; \
             expected letters of ISO 8859-1, e.g. text = \"Hello\"";
