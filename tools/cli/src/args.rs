@@ -1,6 +1,8 @@
 //! The command line's words. Scripts rely on them: they only ever grow.
 
+use crate::examples::*;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 use fixel_scene::{Panel, PanelDithering};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -26,13 +28,16 @@ pub enum Command {
     Info(Info),
     /// Render many frames to a GIF, an APNG or a folder.
     Animate(Animate),
-    /// (not there yet) Show a scene in a window.
+    /// Show a scene in a window, as its panel shows it.
     View(View),
     /// (not there yet) Flash, RAM and frames a second on a board.
     Estimate(Estimate),
+    /// Print what makes a shell complete the words of this command.
+    Completions(Completions),
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = RENDER)]
 pub struct Render {
     /// A scene (.toml), a mesh (.obj, .glb, .gltf, .stl, .ply) or a baked
     /// scene (.fxl).
@@ -105,6 +110,7 @@ fn dithering(name: &str) -> Result<PanelDithering, String> {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = COMPARE)]
 pub struct Compare {
     /// A scene, a mesh or a baked scene, as for render.
     pub scene: PathBuf,
@@ -119,7 +125,8 @@ pub struct Compare {
     /// The figures as JSON; - for standard output.
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<Destination>,
-    /// A page with heat maps, index.html, in this folder.
+    /// A page with pictures, heat maps, histograms and figures in this folder: index.html,
+    /// which needs no other file.
     #[arg(long, value_name = "DIR")]
     pub report: Option<PathBuf>,
 }
@@ -136,6 +143,7 @@ pub struct Frame {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = BAKE)]
 pub struct Bake {
     /// A scene or a mesh, as for render.
     pub scene: PathBuf,
@@ -159,6 +167,7 @@ pub struct Bake {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = INFO)]
 pub struct Info {
     /// A baked scene.
     #[arg(value_name = "FILE.fxl")]
@@ -166,6 +175,7 @@ pub struct Info {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = ANIMATE)]
 pub struct Animate {
     /// A scene, a mesh or a baked scene, as for render.
     pub scene: PathBuf,
@@ -189,12 +199,37 @@ pub struct Animate {
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = VIEW)]
 pub struct View {
     /// A scene, a mesh or a baked scene, as for render.
     pub scene: PathBuf,
+    #[command(flatten)]
+    pub screen: Screen,
+    /// How to render to begin with.
+    #[arg(long, value_enum, default_value_t)]
+    pub renderer: Renderer,
+    /// Screen pixels a panel pixel takes [default: as fits].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
+    pub zoom: Option<u32>,
+    /// Keys and mouse moves from a file, one a line, as if they were made in the window; for
+    /// tests.
+    #[arg(long, value_name = "FILE", hide_short_help = true)]
+    pub script: Option<PathBuf>,
+    /// With --script: without a window.
+    #[arg(long, requires = "script", hide_short_help = true)]
+    pub no_window: bool,
 }
 
 #[derive(Debug, Args)]
+#[command(after_help = COMPLETIONS)]
+pub struct Completions {
+    /// The shell.
+    #[arg(value_enum)]
+    pub shell: Shell,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = ESTIMATE)]
 pub struct Estimate {
     /// A scene, a mesh or a baked scene, as for render.
     pub scene: PathBuf,
@@ -279,6 +314,28 @@ mod tests {
     #[test]
     fn the_definition_is_sound() {
         Cli::command().debug_assert();
+    }
+
+    /// Each command has some, and they are right.
+    #[test]
+    fn examples() {
+        for command in Cli::command().get_subcommands() {
+            let name = command.get_name();
+            let text = command.get_after_help().map(ToString::to_string);
+            let text = text.unwrap_or_default();
+            let examples = text
+                .lines()
+                .filter_map(|line| line.strip_prefix("  fixel "));
+            let mut count = 0;
+            for example in examples {
+                let words = example.split(" > ").next().unwrap_or(example);
+                let words = std::iter::once("fixel").chain(words.split_whitespace());
+                let parsed = Cli::try_parse_from(words);
+                assert!(example.starts_with(name) && parsed.is_ok(), "{example}");
+                count += 1;
+            }
+            assert!(count > 0, "{name} has no example");
+        }
     }
 
     #[test]

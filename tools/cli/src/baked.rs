@@ -1,8 +1,9 @@
 //! Baked scenes: making one, and saying what is in one.
 
-use anyhow::Result;
+use anyhow::{Context, Result, anyhow};
 use fixel_bake::Baked;
 use serde_json::{Map, Value, json};
+use std::path::Path;
 
 use crate::input::Input;
 
@@ -39,9 +40,17 @@ pub fn bake(input: Input, options: Options) -> Result<Vec<u8>> {
     Ok(baked.bytes().to_vec())
 }
 
-/// Checks a `.fxl` file's bytes and says what is in it, in the order to print.
-pub fn describe(bytes: &[u8]) -> Result<Map<String, Value>> {
-    let baked = Baked::from_bytes(bytes)?;
+/// Reads a `.fxl` file and checks it.
+pub fn read(path: &Path) -> Result<Baked> {
+    let name = path.display();
+    let bytes = std::fs::read(path).with_context(|| name.to_string())?;
+    Baked::from_bytes(&bytes)
+        .map_err(|error| anyhow!("{name}: {error}; expected a file made by fixel bake"))
+}
+
+/// Says what is in a baked scene, in the order to print.
+pub fn describe(baked: &Baked) -> Result<Map<String, Value>> {
+    let bytes = baked.bytes();
     let scene = baked.scene()?;
     let header = scene.header();
     let triangles = scene.triangle_count();

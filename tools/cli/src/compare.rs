@@ -1,9 +1,10 @@
 //! `fixel compare`.
 
 use crate::args::{Destination, Tested};
-use crate::{args, html, input, output, raster, reference};
+use crate::{args, input, output, raster, reference};
 use anyhow::{Context, Result};
 use fixel_reference::Report;
+use fixel_report::Page;
 use serde::Serialize;
 
 /// A report and what it is about.
@@ -55,14 +56,18 @@ pub fn run(args: &args::Compare) -> Result<()> {
         output::json(destination, &comparison)?;
     }
     if let Some(folder) = &args.report {
-        let page = html::Page {
+        let page = fixel_report::page(&Page {
             title: format!("{} by {renderer}, frame {}", name(), at.frame),
             truth: &truth,
             frame: &rendered.frame,
             figures: &serde_json::to_value(&comparison)?,
-        };
-        html::write(folder, &page)?;
-        eprintln!("wrote {}", folder.join("index.html").display());
+            index: None,
+        })?;
+        std::fs::create_dir_all(folder)
+            .with_context(|| format!("cannot make the folder {}", folder.display()))?;
+        let path = folder.join("index.html");
+        output::write(&path, page.as_bytes())?;
+        eprintln!("wrote {}", path.display());
     }
     if args.json == Some(Destination::Stdout) {
         Ok(())

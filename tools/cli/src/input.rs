@@ -1,6 +1,7 @@
 //! The scene that a command works on.
 
 use crate::args::Frame;
+use crate::baked;
 use anyhow::{Context, Result, bail};
 use fixel_bake::{BakeError, Baked};
 use fixel_scene::{Loader, Scene, Screen};
@@ -58,11 +59,10 @@ pub fn load_on(path: &Path, screen: Option<Screen>) -> Result<Input> {
         .extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case("fxl"))
     {
-        let name = || path.display().to_string();
-        let bytes = std::fs::read(path).with_context(name)?;
-        let mut baked = Baked::from_bytes(&bytes).with_context(name)?;
+        let mut baked = baked::read(path)?;
         if let Some(screen) = screen {
-            baked = baked.on(&screen).with_context(name)?;
+            let on = baked.on(&screen);
+            baked = on.with_context(|| path.display().to_string())?;
         }
         let mut scene = fixel_bake::unbake(&baked.scene()?);
         scene.source.file = path.to_owned();

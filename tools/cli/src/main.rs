@@ -8,7 +8,7 @@ mod args;
 mod bake;
 mod baked;
 mod compare;
-mod html;
+mod examples;
 mod info;
 mod input;
 mod output;
@@ -16,10 +16,11 @@ mod progress;
 mod raster;
 mod reference;
 mod render;
+mod view;
 
 use anyhow::bail;
 use args::{Cli, Command};
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -35,6 +36,12 @@ fn main() -> ExitCode {
     }
 }
 
+fn completions(shell: clap_complete::Shell) -> anyhow::Result<()> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Cli::command(), "fixel", &mut script);
+    output::stdout(&String::from_utf8_lossy(&script))
+}
+
 fn run(command: Command) -> anyhow::Result<()> {
     match command {
         Command::Render(args) => render::run(&args),
@@ -42,7 +49,8 @@ fn run(command: Command) -> anyhow::Result<()> {
         Command::Bake(args) => bake::run(&args),
         Command::Info(args) => info::run(&args),
         Command::Animate(args) => animate::run(&args),
-        Command::View(_) => bail!("view is not there yet"),
+        Command::View(args) => view::run(&args),
         Command::Estimate(_) => bail!("estimate is not there yet"),
+        Command::Completions(args) => completions(args.shell),
     }
 }

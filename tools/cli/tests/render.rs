@@ -134,24 +134,26 @@ fn an_output_that_cannot_be_written_leaves_nothing() {
 }
 
 #[test]
-fn a_report_is_a_page_with_its_pictures() {
+fn a_report_is_one_page_that_needs_nothing_else() {
     let folder = Folder::new();
-    folder.fixel("compare scene.toml --report out/a").ok();
-    let page = std::fs::read_to_string(folder.path("out/a/index.html")).unwrap();
-    let pictures: Vec<&str> = page
-        .split("src=\"")
-        .skip(1)
-        .map(|s| s.split('"').next().unwrap())
-        .collect();
-    assert_eq!(pictures.len(), 6, "no shadows by raster");
-    for picture in pictures {
-        let (width, height, ..) = read_png(folder.path("out/a").join(picture));
-        assert_eq!((width, height), (8, 4), "{picture}");
+    for (renderer, maps) in [("raster", 4), ("ray", 5)] {
+        folder
+            .fixel(&format!(
+                "compare scene.toml --renderer {renderer} --report out/a"
+            ))
+            .ok();
+        assert_eq!(std::fs::read_dir(folder.path("out/a")).unwrap().count(), 1);
+        let page = std::fs::read_to_string(folder.path("out/a/index.html")).unwrap();
+        let sources = || page.split("src=\"").skip(1);
+        let inside = "data:image/png;base64,iVBOR";
+        assert!(sources().all(|source| source.starts_with(inside)));
+        // Frame and truth change places; no shadows by raster.
+        assert_eq!(sources().count(), 4 + maps, "{renderer}");
+        assert_eq!(page.matches("<svg").count(), 3);
+        assert!(!page.contains("http"), "nothing comes from elsewhere");
+        let row = "<code>coverage_mismatch_px</code></td><td class=\"n\">0</td>";
+        assert!(page.contains(row), "{page}");
     }
-    assert!(
-        page.contains("<td>coverage_mismatch_px</td><td>0</td>"),
-        "{page}"
-    );
 }
 
 /// The house is one actor of the file, whatever materials its mesh has.

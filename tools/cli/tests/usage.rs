@@ -26,6 +26,7 @@ fn wrong_usage_is_exit_code_2() {
         "animate scene.toml -o a.gif --frames 0",
         "animate scene.toml -o a.gif --fps 0",
         "estimate scene.toml",
+        "completions",
     ] {
         let run = folder.fixel(words);
         assert_eq!(run.code(), 2, "{words}: {}", run.stderr());
@@ -95,10 +96,8 @@ fn what_cannot_be_baked_is_told_with_its_line() {
 #[test]
 fn what_is_not_there_yet_says_so() {
     let folder = Folder::new();
-    for words in ["view scene.toml", "estimate scene.toml --board pico"] {
-        let line = folder.fixel(words).fails();
-        assert!(line.contains("is not there yet"), "{words}: {line}");
-    }
+    let line = folder.fixel("estimate scene.toml --board pico").fails();
+    assert!(line.contains("is not there yet"), "{line}");
     assert_eq!(folder.names(), ["scene.toml", "square.obj"]);
     let help = folder.fixel("--help").ok();
     let marked: Vec<&str> = help
@@ -106,7 +105,32 @@ fn what_is_not_there_yet_says_so() {
         .filter(|line| line.contains("(not there yet)"))
         .filter_map(|line| line.split_whitespace().next())
         .collect();
-    assert_eq!(marked, ["view", "estimate"]);
+    assert_eq!(marked, ["estimate"]);
+}
+
+#[test]
+fn help_has_examples_and_no_colour_for_files() {
+    let folder = Folder::new();
+    for command in [
+        "render", "compare", "bake", "info", "animate", "view", "estimate",
+    ] {
+        let help = folder.fixel(&format!("{command} --help")).ok();
+        assert!(help.contains(&format!("\n  fixel {command} ")), "{help}");
+        assert!(!help.contains('\u{1b}'), "{help}");
+    }
+}
+
+#[test]
+fn completions_are_for_each_shell() {
+    let folder = Folder::new();
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = folder.fixel(&format!("completions {shell}")).ok();
+        assert!(
+            script.contains("animate") && script.contains("renderer"),
+            "{shell}"
+        );
+    }
+    assert_eq!(folder.fixel("completions dos").code(), 2);
 }
 
 #[test]

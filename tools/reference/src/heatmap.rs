@@ -20,6 +20,13 @@ const EXTRA: [u8; 3] = [255, 0, 255];
 /// Another triangle.
 const VISIBLE: [u8; 3] = [255, 210, 0];
 
+/// Where a map of depth is white.
+pub const DEPTH_FULL: f64 = 4.0;
+/// Where a map of light is white.
+pub const LEVEL_FULL: f64 = 8.0;
+/// Where a map of colour is white.
+pub const COLOUR_FULL: f64 = 32.0;
+
 /// The maps of a comparison.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct HeatMaps {
@@ -42,39 +49,73 @@ pub struct HeatMaps {
     pub shadow: Vec<[u8; 3]>,
 }
 
+/// How far off each pixel is, as [`HeatMaps`] show it: absolute differences.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Differences {
+    /// Depth, in units of 65535, on agreeing pixels.
+    pub depth: Vec<Option<f64>>,
+    /// Light, of 255, on agreeing pixels.
+    pub level: Vec<Option<f64>>,
+    /// The worst channel of the colour against the unquantised truth, of 255.
+    pub colour: Vec<f64>,
+}
+
+/// Measures each pixel by itself.
+///
+/// # Errors
+/// As [`crate::compare()`].
+pub fn differences(truth: &Truth, frame: &Frame) -> Result<Differences, FrameError> {
+    frame.check(truth, truth.materials)?;
+    Ok(off(truth, frame, &pixels(truth, frame)))
+}
+
+fn pixels(truth: &Truth, frame: &Frame) -> Vec<Pixel> {
+    let all = 0..truth.pixels.len();
+    all.map(|i| Pixel::of(truth, frame, i)).collect()
+}
+
+fn off(truth: &Truth, frame: &Frame, pixels: &[Pixel]) -> Differences {
+    let agreeing = |difference: &dyn Fn(usize, &crate::Hit) -> f64| {
+        let at = |(i, pixel): (usize, &Pixel)| match (pixel, &truth.pixels[i]) {
+            (Pixel::Same, Some(hit)) => Some(difference(i, hit).abs()),
+            _ => None,
+        };
+        pixels.iter().enumerate().map(at).collect()
+    };
+    let lights = frame.lookup.lights();
+    let colour = truth.colours().zip(&frame.rgb).map(|(truth, shown)| {
+        let channel = |(t, s): (f64, &u8)| (255.0 * t - f64::from(*s)).abs();
+        let channels = truth.into_iter().zip(shown).map(channel);
+        channels.fold(0.0, f64::max)
+    });
+    Differences {
+        depth: agreeing(&|i, hit| f64::from(frame.depth[i]) - hit.depth_lsb),
+        level: agreeing(&|i, hit| light_difference(frame, &lights, hit, i)),
+        colour: colour.collect(),
+    }
+}
+
 /// Draws all maps.
 ///
 /// # Errors
 /// As [`crate::compare()`].
 pub fn draw(truth: &Truth, frame: &Frame) -> Result<HeatMaps, FrameError> {
     frame.check(truth, truth.materials)?;
-    let pixels: Vec<Pixel> = (0..truth.pixels.len())
-        .map(|i| Pixel::of(truth, frame, i))
-        .collect();
-    let agreeing = |difference: &dyn Fn(usize, &crate::Hit) -> f64, full: f64| {
-        let heat_at = |(i, pixel): (usize, &Pixel)| match (pixel, &truth.pixels[i]) {
-            (Pixel::Same, Some(hit)) => heat(difference(i, hit).abs() / full),
-            _ => NEUTRAL,
-        };
-        pixels.iter().enumerate().map(heat_at).collect()
+    let pixels = pixels(truth, frame);
+    let off = off(truth, frame, &pixels);
+    let judged = |off: &[Option<f64>], full: f64| {
+        let heat_of = |off: &Option<f64>| off.map_or(NEUTRAL, |off| heat(off / full));
+        off.iter().map(heat_of).collect()
     };
-    let lights = frame.lookup.lights();
-    let colour = truth.colours().zip(&frame.rgb).map(|(truth, shown)| {
-        let channel = |(t, s): (f64, &u8)| (255.0 * t - f64::from(*s)).abs();
-        heat(
-            truth
-                .into_iter()
-                .zip(shown)
-                .map(channel)
-                .fold(0.0, f64::max)
-                / 32.0,
-        )
-    });
     Ok(HeatMaps {
         coverage: pixels.iter().map(coverage).collect(),
-        depth: agreeing(&|i, hit| f64::from(frame.depth[i]) - hit.depth_lsb, 4.0),
-        level: agreeing(&|i, hit| light_difference(frame, &lights, hit, i), 8.0),
-        colour: colour.collect(),
+        depth: judged(&off.depth, DEPTH_FULL),
+        level: judged(&off.level, LEVEL_FULL),
+        colour: off
+            .colour
+            .iter()
+            .map(|off| heat(off / COLOUR_FULL))
+            .collect(),
         shadow: shadow(truth, frame, &pixels),
     })
 }

@@ -100,7 +100,7 @@ pub fn accept(tally: &mut Tally) -> Result<Value> {
     all.insert(compiler()?, scenes.into());
     let value = Value::from(all);
     let text = serde_json::to_string_pretty(&value).map_err(|error| error.to_string())?;
-    fs::write(file(), text + "\n").map_err(|error| format!("{}: {error}", file().display()))?;
+    fixel_output::write(&file(), (text + "\n").as_bytes())?;
     eprintln!("wrote {}", file().display());
     Ok(value)
 }

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use fixel_reference::Report;
+use fixel_reference::{Frame, Report, Truth};
+use fixel_report::{Entry, Page};
 use fixel_scene::{ColourFormat, Filter, Representation, Scene, Texturing};
 use serde_json::{Map, Value, json};
 
@@ -37,6 +38,9 @@ const RAY_SURFACE_PERCENT: f64 = 0.01;
 /// Most pixels with a wrong shadow, as a share of the lit ones, and always one.
 const RAY_SHADOW_PERCENT: f64 = 0.1;
 
+/// The report's first page.
+const INDEX: &str = "index.html";
+
 /// The core's two renderers.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Renderer {
@@ -57,6 +61,8 @@ impl Renderer {
 
 /// A scene's figures.
 struct Compared {
+    /// The page and the small picture of a report, if one is asked for.
+    page: Option<(String, String)>,
     report: Report,
     /// The PSNR that is held to a limit, if it is.
     rgb888_psnr_db: f64,
@@ -68,14 +74,22 @@ struct Compared {
 /// Compares every scene in `scenes/`, `scenes/bench/` and `scenes/ray/`, frame 0, at its own
 /// size, by both renderers. Gives `{"scene": {"raster": {...}, "ray": {...}}}` with the fields of `fixel
 /// compare --json`, and `rgb888_psnr_true_db`, the colour on a display with 8
-/// bits a channel. Each scene is held to limits.
-pub fn run(tally: &mut Tally) -> Result<Value> {
+/// bits a channel. Each scene is held to limits. `report`: a folder for a page a scene and
+/// renderer, and an index over them.
+pub fn run(tally: &mut Tally, report: Option<&Path>) -> Result<Value> {
+    if let Some(folder) = report {
+        let fail = |error| format!("cannot make the folder {}: {error}", folder.display());
+        std::fs::create_dir_all(folder).map_err(fail)?;
+    }
+    let mut entries = Vec::new();
     let files = scene::all()?;
     let jobs: Vec<(&Path, Renderer)> = files
         .iter()
         .flat_map(|file| Renderer::ALL.map(|renderer| (file.as_path(), renderer)))
         .collect();
-    let compared = parallel::map(&jobs, |&(file, renderer)| compare(file, renderer));
+    let compared = parallel::map(&jobs, |&(file, renderer)| {
+        compare(file, renderer, report.is_some())
+    });
     let mut all = Map::new();
     for ((file, renderer), compared) in jobs.into_iter().zip(compared) {
         let name = scene::name(file);
@@ -87,18 +101,34 @@ pub fn run(tally: &mut Tally) -> Result<Value> {
             Renderer::Raster => limits(&compared),
             Renderer::Ray => ray_limits(&compared.report).map_err(|problem| known(&name, problem)),
         };
+        let broken = limits.as_ref().err().map(ToString::to_string);
         tally.check(&what, limits);
-        let report = serde_json::to_value(&compared.report);
-        let mut report = report.map_err(|error| error.to_string())?;
-        report["rgb888_psnr_true_db"] = json!(compared.rgb888_psnr_db);
+        let figures = compared.figures()?;
+        if let (Some(folder), Some((page, picture))) = (report, compared.page) {
+            let path = format!("{name}-{}.html", renderer.name());
+            fixel_output::write(&folder.join(&path), page.as_bytes())?;
+            entries.push(Entry {
+                scene: name.clone(),
+                renderer: renderer.name().into(),
+                file: path,
+                picture,
+                figures: figures.clone(),
+                broken,
+            });
+        }
         let scene = all.entry(name).or_insert_with(|| json!({}));
-        scene[renderer.name()] = report;
+        scene[renderer.name()] = figures;
+    }
+    if let Some(folder) = report {
+        let path = folder.join(INDEX);
+        fixel_output::write(&path, fixel_report::index(&entries).as_bytes())?;
+        eprintln!("wrote {}", path.display());
     }
     Ok(all.into())
 }
 
 /// `None`: the renderer draws nothing of the scene.
-fn compare(file: &Path, renderer: Renderer) -> Result<Option<Compared>> {
+fn compare(file: &Path, renderer: Renderer, pages: bool) -> Result<Option<Compared>> {
     let mut scene = fixel_scene::load(file).map_err(|error| error.to_string())?;
     let without_palette = scene.palette.direct;
     if renderer == Renderer::Ray && (without_palette || !has_surfaces(&scene)) {
@@ -108,13 +138,12 @@ fn compare(file: &Path, renderer: Renderer) -> Result<Option<Compared>> {
         Problem::Missing(text) => Problem::Missing(format!("{}: {text}", file.display())),
         Problem::Failed(text) => Problem::Failed(format!("{}: {text}", file.display())),
     };
-    let report = report(&scene, renderer).map_err(in_file)?;
+    let (report, frame, truth) = report(&scene, renderer).map_err(in_file)?;
     let mut rgb888_psnr_db = report.rgb_psnr_true_db;
     if !without_palette {
         scene.display.colour = ColourFormat::Rgb888;
-        rgb888_psnr_db = self::report(&scene, renderer)
-            .map_err(in_file)?
-            .rgb_psnr_true_db;
+        let (report, ..) = self::report(&scene, renderer).map_err(in_file)?;
+        rgb888_psnr_db = report.rgb_psnr_true_db;
     }
     // They have more colours than a palette.
     let blended = |texture: &Texturing| texture.filter == Filter::Bilinear;
@@ -122,12 +151,35 @@ fn compare(file: &Path, renderer: Renderer) -> Result<Option<Compared>> {
         .materials
         .iter()
         .any(|m| m.texture.as_ref().is_some_and(blended));
-    Ok(Some(Compared {
+    let mut compared = Compared {
+        page: None,
         one_material: scene.materials.len() == 1 && !without_palette && !blended_texels,
         without_palette,
         report,
         rgb888_psnr_db,
-    }))
+    };
+    if pages {
+        let page = fixel_report::page(&Page {
+            title: format!("{} by {}", scene::name(file), renderer.name()),
+            truth: &truth,
+            frame: &frame,
+            figures: &compared.figures()?,
+            index: Some(INDEX),
+        });
+        let page = page.map_err(|error| error.to_string())?;
+        compared.page = Some((page, Entry::small(&frame)));
+    }
+    Ok(Some(compared))
+}
+
+impl Compared {
+    /// As JSON has them.
+    fn figures(&self) -> Result<Value> {
+        let report = serde_json::to_value(&self.report);
+        let mut report = report.map_err(|error| error.to_string())?;
+        report["rgb888_psnr_true_db"] = json!(self.rgb888_psnr_db);
+        Ok(report)
+    }
 }
 
 /// Whether there is anything that rays meet.
@@ -136,7 +188,7 @@ fn has_surfaces(scene: &Scene) -> bool {
     looks.any(|look| look == Representation::Surface)
 }
 
-fn report(scene: &Scene, renderer: Renderer) -> Result<Report> {
+fn report(scene: &Scene, renderer: Renderer) -> Result<(Report, Frame, Truth)> {
     let baked = match renderer {
         Renderer::Raster => fixel_bake::bake(scene),
         Renderer::Ray => fixel_bake::bake_for_rays(scene),
@@ -163,7 +215,7 @@ fn report(scene: &Scene, renderer: Renderer) -> Result<Report> {
         ),
     };
     let report = fixel_reference::compare(&truth, &frame).map_err(|error| error.to_string())?;
-    Ok(report)
+    Ok((report, frame, truth))
 }
 
 /// Scenes that the ray caster cannot draw within the limits, and why.
@@ -330,79 +382,4 @@ pub fn markdown(figures: &Value) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn compared(mismatch: usize, depth: f64, psnr: f64) -> Compared {
-        let report = json!({
-            "width": 320, "height": 240, "covered_px": 20_000,
-            "coverage_mismatch_px": mismatch, "depth_max_lsb": 1.0, "depth_mean_lsb": 0.25,
-            "visible_mismatch_px": 0, "level_max": 1.0, "level_mean": 0.3,
-            "rgb_psnr_db": 60.0, "rgb_psnr_true_db": psnr, "index_equal_percent": 90.0,
-            "agreeing_px": 20_000, "coverage_mismatch_percent": 0.0,
-            "depth_within_1_percent": depth, "level_within_2_percent": 100.0,
-            "rgb_psnr_true_covered_db": psnr, "depth_max_at": null, "level_max_at": null,
-            "mismatches": [],
-        });
-        Compared {
-            report: serde_json::from_value(report).expect("every field is there"),
-            rgb888_psnr_db: psnr,
-            one_material: true,
-            without_palette: false,
-        }
-    }
-
-    #[test]
-    fn each_limit_of_rays_can_be_broken() {
-        let good = Report {
-            lit_px: 1000,
-            rgb_psnr_db: 40.0,
-            ..compared(0, 99.9, 45.0).report
-        };
-        let holds = |change: fn(&mut Report)| {
-            let mut report = good.clone();
-            change(&mut report);
-            ray_limits(&report).is_ok()
-        };
-        assert!(holds(
-            |r| (r.visible_mismatch_px, r.coverage_mismatch_px) = (3, 4)
-        ));
-        assert!(!holds(|r| (
-            r.visible_mismatch_px,
-            r.coverage_mismatch_px
-        ) = (4, 4)));
-        assert!(!holds(|r| r.depth_within_1_percent = 99.8));
-        assert!(holds(|r| r.shadow_mismatch_px = 1));
-        assert!(!holds(|r| r.shadow_mismatch_px = 2));
-        assert!(!holds(|r| r.shadow_mismatch_clusters = 1));
-        assert!(!holds(|r| r.rgb_psnr_db = 39.9));
-    }
-
-    #[test]
-    fn each_limit_can_be_broken() {
-        assert!(limits(&compared(4, 99.9, 45.0)).is_ok());
-        assert!(limits(&compared(5, 99.9, 45.0)).is_err());
-        assert!(limits(&compared(4, 99.8, 45.0)).is_err());
-        assert!(limits(&compared(4, 99.9, 44.9)).is_err());
-        let holds = |change: fn(&mut Report)| {
-            let mut compared = compared(0, 99.9, 45.0);
-            change(&mut compared.report);
-            limits(&compared).is_ok()
-        };
-        assert!(holds(
-            |r| (r.level_within_2_percent, r.rgb_psnr_db) = (99.0, 40.0)
-        ));
-        let direct = |db| {
-            let compared = Compared {
-                without_palette: true,
-                one_material: false,
-                ..compared(0, 99.9, db)
-            };
-            limits(&compared).is_ok()
-        };
-        assert!(direct(40.0) && !direct(39.9));
-        assert!(!holds(|r| r.level_within_2_percent = 98.9));
-        assert!(!holds(|r| r.rgb_psnr_db = 39.9));
-        assert!(!holds(|r| r.rgb_psnr_true_db = 29.9));
-    }
-}
+mod tests;

@@ -19,7 +19,7 @@ pub fn write_uf2(elf: &Path) -> Result<PathBuf> {
     let bytes = fs::read(elf).map_err(|error| fail(error.to_string()))?;
     let to = elf.with_extension("uf2");
     let uf2 = uf2::from_elf(&bytes).map_err(fail)?;
-    fs::write(&to, uf2).map_err(|error| fail(error.to_string()))?;
+    fixel_output::write(&to, &uf2)?;
     Ok(to)
 }
 

@@ -15,7 +15,7 @@ const COLUMNS: usize = 3;
 pub fn run() -> Result<()> {
     let path = file();
     let text = page()?;
-    fs::write(&path, text).map_err(|error| format!("{}: {error}", path.display()).into())
+    Ok(fixel_output::write(&path, text.as_bytes())?)
 }
 
 /// Fails if the page is not what would be written now.

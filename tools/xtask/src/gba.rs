@@ -47,15 +47,11 @@ pub fn render(program: &Path, scene: &Baked, arguments: &[String]) -> Result<Str
     let name = scene.path.file_stem().unwrap_or_default().to_string_lossy();
     let name = format!("measure-{name}-{}.gba", arguments.join("-"));
     let path = paths::work("firmware")?.join(name);
-    write(&path, &rom)?;
+    fixel_output::write(&path, &rom)?;
     let text = player.run(&path, &["end".into()]);
     // One each of scenes, band heights and frames would be a lot.
     let _ = fs::remove_file(&path);
     text
-}
-
-fn write(path: &Path, bytes: &[u8]) -> Result<()> {
-    fs::write(path, bytes).map_err(|error| format!("{}: {error}", path.display()).into())
 }
 
 /// The smallest cartridge: one that fits the console's RAM (256 KB) may be taken for a
@@ -68,7 +64,7 @@ pub fn cartridge(program: &Path) -> Result<PathBuf> {
     let path = program.with_extension("gba");
     let mut rom = elf::flat(program, ROM)?;
     rom.resize(rom.len().next_power_of_two().max(LEAST), 0);
-    write(&path, &rom)?;
+    fixel_output::write(&path, &rom)?;
     Ok(path)
 }
 

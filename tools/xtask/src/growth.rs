@@ -93,7 +93,7 @@ impl Grown {
     pub fn bake(&self) -> Result<(fixel_bake::Baked, scene::Baked)> {
         let blob = fixel_bake::bake(&self.scene).map_err(|error| error.to_string())?;
         let path = paths::work("scenes")?.join(format!("grown_{}.fxl", self.name()));
-        fs::write(&path, blob.bytes()).map_err(|e| format!("{}: {e}", path.display()))?;
+        fixel_output::write(&path, blob.bytes())?;
         let bytes = blob.bytes().len() as u64;
         Ok((blob, scene::Baked { path, bytes }))
     }
@@ -252,7 +252,7 @@ pub fn write(figures: &Value) -> Result<()> {
     let fail = |error| format!("{}: {error}", path.display());
     let text = fs::read_to_string(&path).map_err(fail)?;
     let text = readme::replaced(&text, "scaling", &markdown(figures))?;
-    fs::write(&path, text).map_err(fail)?;
+    fixel_output::write(&path, text.as_bytes())?;
     draw(figures)
 }
 
@@ -270,7 +270,7 @@ fn draw(figures: &Value) -> Result<()> {
     });
     let path = paths::root().join("docs/images/scaling.svg");
     let svg = plot::svg(&panels, "millions of instructions");
-    Ok(fs::write(&path, svg).map_err(|error| format!("{}: {error}", path.display()))?)
+    Ok(fixel_output::write(&path, svg.as_bytes())?)
 }
 
 #[cfg(test)]

@@ -40,9 +40,11 @@ mod report;
 mod rp2040;
 mod scaling;
 mod scene;
+mod screen;
 mod test;
 mod toolchain;
 mod uf2;
+mod view;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -74,7 +76,14 @@ enum Task {
         stage: Vec<String>,
     },
     /// Compare every scene in scenes/ with the f64 reference.
-    Accuracy(Json),
+    Accuracy {
+        #[command(flatten)]
+        json: Json,
+        /// Write a page a scene and renderer, with pictures, heat maps and histograms, and an
+        /// index over them, into this folder
+        #[arg(long, value_name = "DIR")]
+        report: Option<PathBuf>,
+    },
     /// Render every scene in scenes/ on the host and on every emulated target,
     /// and fail if any byte differs.
     #[command(after_help = board::list())]
@@ -202,7 +211,11 @@ fn main() -> ExitCode {
 fn run(task: Task) -> Result<()> {
     match task {
         Task::Test { stage } => test::run(&stage),
-        Task::Accuracy(json) => figures(&json, accuracy::run, accuracy::markdown),
+        Task::Accuracy { json, report } => figures(
+            &json,
+            |tally| accuracy::run(tally, report.as_deref()),
+            accuracy::markdown,
+        ),
         Task::Parity { json, on, scenes } => {
             let targets = Target::all_or_on(&on);
             figures(&json, |tally| parity::run(tally, targets, &scenes), pretty)

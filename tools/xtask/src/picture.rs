@@ -79,13 +79,11 @@ pub fn write_png(to: &Path, width: u32, height: u32, rgb: &[u8]) -> Result<()> {
     if rgb.len() as u64 != u64::from(width) * u64::from(height) * 3 {
         return Err(fail(&"the panel's bytes are not one frame").into());
     }
-    let file = fs::File::create(to).map_err(|error| fail(&error))?;
-    let mut encoder = png::Encoder::new(std::io::BufWriter::new(file), width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    let mut writer = encoder.write_header().map_err(|error| fail(&error))?;
-    writer.write_image_data(rgb).map_err(|error| fail(&error))?;
-    Ok(())
+    let file = fixel_output::png_rgb(width, height, rgb.as_chunks().0);
+    Ok(fixel_output::write(
+        to,
+        &file.map_err(|error| fail(&error))?,
+    )?)
 }
 
 /// RGB565, high byte first, to 8 bits a channel, rounded to the nearest.

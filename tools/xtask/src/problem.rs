@@ -33,5 +33,11 @@ impl From<&str> for Problem {
     }
 }
 
+impl From<fixel_output::Error> for Problem {
+    fn from(error: fixel_output::Error) -> Self {
+        Self::Failed(error.to_string())
+    }
+}
+
 /// What a step gives.
 pub type Result<T> = std::result::Result<T, Problem>;

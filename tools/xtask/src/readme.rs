@@ -14,7 +14,7 @@ pub fn run() -> Result<()> {
     let mut tally = Tally::default();
     let bench = bench::run(&mut tally, &[])?;
     let footprint = footprint::run(&mut tally)?;
-    let accuracy = accuracy::run(&mut tally)?;
+    let accuracy = accuracy::run(&mut tally, None)?;
     let path = paths::root().join("README.md");
     let fail = |error| format!("{}: {error}", path.display());
     let mut text = fs::read_to_string(&path).map_err(fail)?;
@@ -27,7 +27,7 @@ pub fn run() -> Result<()> {
     for (name, part) in parts {
         text = replaced(&text, name, &part)?;
     }
-    fs::write(&path, text).map_err(fail)?;
+    fixel_output::write(&path, text.as_bytes())?;
     eprintln!("{}", tally.summary());
     tally.result()
 }

@@ -1,7 +1,7 @@
 //! What was checked and how it went, and where figures go.
 
-use std::fs;
 use std::io::Write;
+use std::path::Path;
 
 use serde_json::Value;
 
@@ -84,12 +84,11 @@ impl Tally {
 /// Writes figures as JSON to a file, or to standard output for `-`.
 pub fn write_json(to: &str, value: &Value) -> Result<()> {
     let text = serde_json::to_string_pretty(value).map_err(|error| error.to_string())? + "\n";
-    let written = if to == "-" {
-        std::io::stdout().write_all(text.as_bytes())
-    } else {
-        fs::write(to, text)
-    };
-    written.map_err(|error| format!("{to}: {error}").into())
+    if to == "-" {
+        let written = std::io::stdout().write_all(text.as_bytes());
+        return written.map_err(|error| format!("standard output: {error}").into());
+    }
+    Ok(fixel_output::write(Path::new(to), text.as_bytes())?)
 }
 
 /// A table in Markdown, columns padded, the first to the left, others to the

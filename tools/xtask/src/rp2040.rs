@@ -128,7 +128,7 @@ fn provide() -> Result<PathBuf> {
         let to = folder.join(file);
         if !fs::read(&to).is_ok_and(|old| old == wanted) {
             same = false;
-            fs::write(&to, wanted).map_err(fail)?;
+            fixel_output::write(&to, &wanted)?;
         }
     }
     if !same {

@@ -49,7 +49,7 @@ fn on(board: &'static Board, tally: &mut Tally) -> Result<Vec<Value>> {
         let path = paths::work("scenes")?.join(format!("ring_{triangles}.fxl"));
         let blob = fixel_bake::bake_for_rays(&shown).map_err(|e| e.to_string())?;
         let bytes = blob.bytes().len() as u64;
-        std::fs::write(&path, blob.bytes()).map_err(|e| format!("{}: {e}", path.display()))?;
+        fixel_output::write(&path, blob.bytes())?;
         let baked = scene::Baked { path, bytes };
         let frames = ready.frames(&baked, FRAME..FRAME + 1, ONE_BAND, None);
         let what = format!("{triangles} triangles on {}", board.name);

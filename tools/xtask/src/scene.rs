@@ -100,7 +100,7 @@ pub fn bake(name: &str) -> Result<Baked> {
     let blob = blob(&source, by_rays(name))?;
     let same = fs::read(&path).is_ok_and(|old| old == blob);
     if !same {
-        fs::write(&path, &blob).map_err(|error| format!("{}: {error}", path.display()))?;
+        fixel_output::write(&path, &blob)?;
     }
     Ok(Baked {
         path,

@@ -10,17 +10,18 @@ use crate::problem::Result;
 use crate::report::Tally;
 use crate::{
     accepted, accuracy, child, firmware, footprint, gallery, gba, hostbench, links, panels, parity,
-    paths, picture, pictures, scene, toolchain,
+    paths, picture, pictures, scene, toolchain, view,
 };
 
 /// A stage: its name, and what it does.
 type Stage = (&'static str, fn(&mut Tally));
 
 /// In this order: what is quick and fails often comes first.
-const STAGES: [Stage; 12] = [
+const STAGES: [Stage; 13] = [
     ("format", format),
     ("lints", lints),
     ("tests", tests),
+    ("view", view::run),
     ("docs", docs),
     ("firmware-lints", firmware_lints),
     ("counter", counter),
@@ -33,7 +34,7 @@ const STAGES: [Stage; 12] = [
     ("panels", panels::run),
     ("footprint", footprint_stage),
     ("accuracy", |tally| {
-        let result = accuracy::run(tally);
+        let result = accuracy::run(tally, None);
         tally.need("accuracy", result);
     }),
 ];

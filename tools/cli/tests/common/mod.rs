@@ -73,7 +73,7 @@ impl Folder {
         command
             .current_dir(self.0.path())
             .args(words.split_whitespace());
-        Run(command.output().unwrap())
+        Run::of(&mut command)
     }
 }
 
@@ -81,6 +81,11 @@ impl Folder {
 pub struct Run(Output);
 
 impl Run {
+    /// Runs a command to its end.
+    pub fn of(command: &mut Command) -> Self {
+        Self(command.output().unwrap())
+    }
+
     pub fn code(&self) -> i32 {
         self.0.status.code().unwrap()
     }

@@ -1,0 +1,88 @@
+//! Files are whole or not there, whatever happens.
+
+#![cfg(unix)]
+
+mod common;
+
+use common::*;
+use std::os::unix::process::ExitStatusExt;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+const CUBE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/cube.toml");
+
+/// Runs `fixel` in a shell's hands.
+fn shell(folder: &Folder, script: &str) -> Run {
+    let mut command = Command::new("sh");
+    command
+        .current_dir(folder.path(""))
+        .env("FIXEL", env!("CARGO_BIN_EXE_fixel"))
+        .args(["-c", script]);
+    Run::of(&mut command)
+}
+
+#[test]
+fn a_full_disk_is_told_and_leaves_nothing() {
+    let folder = Folder::new();
+    folder.write("old.png", "old");
+    let before = folder.names();
+    // Files of 512 bytes at most are all that there is room for.
+    let room = "trap '' XFSZ; ulimit -f 1; exec \"$FIXEL\"";
+    for words in [
+        format!("render {CUBE} -o new.png"),
+        format!("render {CUBE} -o old.png"),
+        format!("bake {CUBE} -o cube.fxl"),
+        format!("compare {CUBE} --report ."),
+        format!("animate {CUBE} --frames 2 -o cube.gif"),
+    ] {
+        let line = shell(&folder, &format!("{room} {words}")).fails();
+        assert!(line.starts_with("fixel: cannot write "), "{line}");
+        assert_eq!(folder.names(), before, "{words}");
+    }
+    assert_eq!(std::fs::read(folder.path("old.png")).unwrap(), b"old");
+    if Path::new("/dev/full").exists() {
+        let line = folder.fixel("render scene.toml -o /dev/full").fails();
+        assert!(line.contains("cannot write /dev/full"), "{line}");
+        let run = shell(
+            &folder,
+            "exec \"$FIXEL\" render scene.toml --stats - > /dev/full",
+        );
+        assert!(run.fails().contains("standard output"));
+        folder.fixel("info --help").ok();
+    }
+}
+
+/// Ctrl-C, at any moment: what is there under the final name is the old file or the new.
+#[test]
+fn an_interrupted_command_leaves_no_half_file() {
+    let folder = Folder::new();
+    let words = format!("animate {CUBE} --frames 24 -o cube.gif");
+    folder.fixel(&words).ok();
+    let whole = std::fs::read(folder.path("cube.gif")).unwrap();
+    let mut interrupted = 0;
+    for delay in [5, 20, 50, 100, 200, 400, 800] {
+        folder.write("cube.gif", "old");
+        let mut child = Command::new(env!("CARGO_BIN_EXE_fixel"))
+            .current_dir(folder.path(""))
+            .args(words.split_whitespace())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(delay));
+        // It may be done already.
+        let _ = Command::new("kill")
+            .args(["-INT", &child.id().to_string()])
+            .status();
+        let status = child.wait().unwrap();
+        let found = std::fs::read(folder.path("cube.gif")).unwrap();
+        if status.success() {
+            assert!(found == whole, "after {delay} ms");
+        } else {
+            assert_eq!(status.signal(), Some(2));
+            interrupted += 1;
+            assert!(found == whole || found == b"old", "after {delay} ms");
+        }
+    }
+    assert!(interrupted > 0, "every run was faster than 5 ms");
+}
