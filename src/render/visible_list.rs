@@ -103,10 +103,10 @@ pub(super) fn fill<'e>(
     let mut all = true;
     for (viewport, actor) in places(scene) {
         let rect = actors.viewport(viewport).rect;
-        let mesh = scene.mesh(scene.actor(actor).mesh);
         let Some(view) = actors.get(viewport, actor) else {
             continue;
         };
+        let mesh = view.mesh;
         let look = lines::look(scene, actor);
         let passes = Pass::of(look.as_ref(), view.material.is_blended());
         let reach = look.map_or(0, |look| look.reach());

@@ -146,6 +146,8 @@ impl<'a> Scene<'a> {
             fine: None,
             colours: None,
             coordinates: None,
+            levels: (0, 0),
+            error: 0,
         })
     }
 

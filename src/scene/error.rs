@@ -147,6 +147,8 @@ pub enum Field {
     Depth,
     FirstNode,
     Meshlet,
+    Level,
+    Error,
     Part,
     Index,
 }

@@ -39,6 +39,9 @@ pub struct Header {
     pub cycle: (u16, u16),
     /// Frames in which they go round once, at least 1 if there are any.
     pub cycle_frames: u32,
+    /// Most that a level of a mesh may be seen off the mesh, raw sub-pixels of the frame; see
+    /// [`Mesh::levels`](super::Mesh::levels).
+    pub level_error: u16,
     /// The scene's camera.
     pub camera: CameraRecord,
 }
@@ -62,6 +65,7 @@ impl Record for Header {
             dither,
             cycle,
             cycle_frames,
+            level_error,
             camera @ ..,
         ] = words;
         let [format, exponent, centre_exponent, panel_dithering] = format.to_ne_bytes();
@@ -82,6 +86,7 @@ impl Record for Header {
             direct: u(*dither) >> 8 & 1 != 0,
             cycle: (u(*cycle) as u16, (u(*cycle) >> 16) as u16),
             cycle_frames: u(*cycle_frames),
+            level_error: u(*level_error) as u16,
             camera: CameraRecord::from_words(camera),
         }
     }
@@ -111,6 +116,7 @@ impl Record for Header {
             dither.to_le(),
             cycle.to_le(),
             self.cycle_frames.to_le(),
+            u32::from(self.level_error).to_le(),
         ];
         let mut words = [0; layout::HEADER_WORDS];
         let all = own.into_iter().chain(self.camera.to_words());

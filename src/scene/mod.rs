@@ -47,9 +47,9 @@ pub mod layout {
     /// `FXL1`.
     pub const MAGIC: u32 = u32::from_le_bytes(*b"FXL1");
     /// Version of the layout. A reader refuses any other.
-    pub const VERSION: u32 = 5;
+    pub const VERSION: u32 = 6;
     /// Words of the header, before the section table.
-    pub const HEADER_WORDS: usize = 27;
+    pub const HEADER_WORDS: usize = 28;
     /// Sections; each has two words in the table: byte offset and count.
     pub const SECTIONS: usize = 35;
     /// Bytes before the first section.

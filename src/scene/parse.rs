@@ -299,6 +299,9 @@ fn check_header(header: &Header) -> Result<(), SceneError> {
     let ways = PanelDithering::ALL.len() as i64;
     let way = header.panel_dithering.into();
     check(Field::PanelDithering, way, 0, ways - 1)?;
+    if header.level_error != 0 && !cfg!(feature = "lod") {
+        return Err(SceneError::Feature { name: "lod" });
+    }
     let patterns = DitherPattern::ALL.len() as i64;
     let (pattern, spread) = (header.dither_pattern.into(), header.dither_spread.into());
     check(Field::Dither, pattern, 0, patterns - 1)?;

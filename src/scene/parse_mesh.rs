@@ -12,13 +12,16 @@ impl Scene<'_> {
             let mesh = Mesh::from_words(words);
             let (first, count) = (i64::from(mesh.first_meshlet), i64::from(mesh.meshlets));
             let last = self.meshlets.len() as i64 - count;
-            range(Section::Meshes, i, Field::FirstMeshlet, first, 0, last)?;
+            let s = Section::Meshes;
+            range(s, i, Field::FirstMeshlet, first, 0, last)?;
+            self.check_levels(i, &mesh)?;
             let radius = mesh.radius.into();
             let (least, most) = (
                 layout::LEAST_RADIUS.into(),
                 i64::from(layout::GRID_HALF) * 2,
             );
-            range(Section::Meshes, i, Field::Radius, radius, least, most)?;
+            range(s, i, Field::Radius, radius, least, most)?;
+            range(s, i, Field::Error, mesh.error.into(), 0, most)?;
             let span = first as usize..(first + count) as usize;
             for (j, words) in self
                 .meshlets
@@ -29,6 +32,30 @@ impl Scene<'_> {
             {
                 self.check_meshlet(j, &Meshlet::from_words(words), &mesh)?;
             }
+        }
+        Ok(())
+    }
+
+    /// A mesh's levels are in the scene's list, and each has what the mesh has.
+    fn check_levels(&self, i: usize, mesh: &Mesh) -> Result<(), SceneError> {
+        let s = Section::Meshes;
+        let (first, levels) = mesh.levels;
+        let last = self.meshes.len() as i64 - i64::from(levels);
+        range(s, i, Field::Level, first.into(), 0, last.max(0))?;
+        let has = |mesh: &Mesh| {
+            let parts = [
+                mesh.face_normals,
+                mesh.fine.is_some(),
+                mesh.colours.is_some(),
+                mesh.coordinates.is_some(),
+            ];
+            parts
+                .iter()
+                .fold(0, |all, part| all << 1 | i64::from(*part))
+        };
+        for number in first..first.saturating_add(levels.into()) {
+            let level = has(&self.mesh(number));
+            range(s, i, Field::Level, level, has(mesh), has(mesh))?;
         }
         Ok(())
     }

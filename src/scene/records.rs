@@ -198,6 +198,12 @@ pub struct Mesh {
     pub colours: Option<u32>,
     /// A mesh may have texture coordinates.
     pub coordinates: Option<Coordinates>,
+    /// Meshes of fewer triangles that may stand in for this one from afar, finer ones first:
+    /// the number of the first in the scene's list, and how many. They are in the same grid,
+    /// and have all that this one has.
+    pub levels: (u16, u8),
+    /// As such a level: how far its surface is off the mesh's, at most; grid steps.
+    pub error: u32,
 }
 
 /// The texture coordinates of a mesh: a vertex's, as it is stored, plus `origin`, in
@@ -214,7 +220,7 @@ pub struct Coordinates {
 }
 
 impl Record for Mesh {
-    type Words = [u32; 9];
+    type Words = [u32; 10];
 
     fn from_words(words: &Self::Words) -> Self {
         let [
@@ -227,6 +233,7 @@ impl Record for Mesh {
             uv,
             u0,
             v0,
+            level,
         ] = words.map(u);
         Self {
             first_meshlet,
@@ -240,6 +247,8 @@ impl Record for Mesh {
                 origin: [u0 as i32, v0 as i32],
                 exponent: (flags >> 8) as u8,
             }),
+            levels: ((flags >> 16) as u16, (level >> 24) as u8),
+            error: level & 0xff_ffff,
         }
     }
 
@@ -253,8 +262,11 @@ impl Record for Mesh {
         let (uv, [u0, v0]) = self
             .coordinates
             .map_or((0, [0; 2]), |c| (c.offset, c.origin));
+        let (first_level, levels) = self.levels;
+        let flags = flags | u32::from(first_level) << 16;
         let words = [self.first_meshlet, self.meshlets, self.radius, flags];
         let [first, meshlets, radius, flags] = words.map(u32::to_le);
+        let level = self.error | u32::from(levels) << 24;
         [
             first,
             meshlets,
@@ -265,6 +277,7 @@ impl Record for Mesh {
             uv.to_le(),
             w(u0),
             w(v0),
+            level.to_le(),
         ]
     }
 }

@@ -55,7 +55,7 @@ pub struct ActorView {
     pub model: ModelFrame,
     /// The material.
     pub material: Material,
-    /// The mesh.
+    /// The mesh: the actor's own, or the level that does from here.
     pub mesh: Mesh,
     /// Half the screen, in raw sub-pixels.
     pub middle: [i32; 2],
@@ -103,6 +103,8 @@ impl ActorView {
             fine: None,
             colours: None,
             coordinates: None,
+            levels: (0, 0),
+            error: 0,
         },
         middle: [0; 2],
         guard_shift: 0,
@@ -228,6 +230,9 @@ impl ActorView {
         *own_guard_shift = guard_shift(frame.lens);
         *parallel_guard =
             shift(MAX_SCREEN.into(), scale - frame.lens.exponent).min(i32::MAX.into()) as i32;
+        if cfg!(feature = "lod") && mesh.levels.1 != 0 {
+            self.choose_level(scene);
+        }
     }
 
     /// The clip coordinate of the screen's side, which is `half` sub-pixels from

@@ -5,6 +5,7 @@
 
 mod actor_view;
 mod depth_map;
+mod level;
 mod lights;
 mod mapping;
 mod meshlet_rows;

@@ -1,7 +1,7 @@
 //! The blob: all parts together.
 
 use fixel::scene::layout::{CHECKED_FROM, HEADER_WORDS, LIGHTS, PREFIX_BYTES, SECTIONS};
-use fixel::scene::{Header, Optics, Record, SceneError, checksum};
+use fixel::scene::{Header, Mesh, Optics, Record, SceneError, Shape, checksum};
 use fixel_scene::{Actor, Element, Scene, Space};
 
 use crate::error::{BakeError, Problem};
@@ -14,6 +14,7 @@ use crate::palette::{Sample, direct, needs_palette, tables};
 use crate::placement::placed;
 use crate::ray::{Rays, mixes, seen};
 use crate::records::{Instances, actors, header};
+use crate::simplify::levels;
 use crate::texture::textures;
 use crate::texturing::{Texturing, padded};
 use crate::track::tracks;
@@ -24,6 +25,12 @@ use crate::viewport::{output, viewports};
 /// Lines and points closer than this, half their extent in world units, get the grid
 /// of such an extent: 2^-18 world units a step.
 const LEAST_HALF: f64 = 8.0;
+
+/// What rays meet of a coarser mesh.
+const NO_SHAPE: Shape = Shape::Triangles {
+    first_node: 0,
+    nodes: 0,
+};
 
 /// A baked scene.
 #[derive(Clone, Debug)]
@@ -43,8 +50,13 @@ impl Baked {
         bytemuck::cast_slice_mut(&mut words)[..bytes.len()].copy_from_slice(bytes);
         let scene = fixel::Scene::parse(&bytemuck::cast_slice(&words)[..bytes.len()])?;
         let mut sources = Sources::default();
-        for mesh in 0..scene.mesh_count() {
-            let record = scene.mesh(mesh);
+        let meshes = || (0..scene.mesh_count()).map(|mesh| (mesh, scene.mesh(mesh)));
+        let levels = |record: &Mesh| record.levels.0..record.levels.0 + u16::from(record.levels.1);
+        let levels: Vec<u16> = meshes().flat_map(|(_, record)| levels(&record)).collect();
+        let mut in_order: Vec<_> = meshes().collect();
+        in_order.sort_by_key(|(_, record)| record.first_meshlet);
+        for (mesh, record) in in_order {
+            let is_level = levels.contains(&mesh);
             let meshlets = || record.first_meshlet..record.first_meshlet + record.meshlets;
             let all = || meshlets().filter_map(|m| scene.meshlet(m));
             let triangles: u32 = all().map(|m| u32::from(m.triangles)).sum();
@@ -54,7 +66,7 @@ impl Baked {
             let vertices: u32 = all().map(|m| u32::from(m.vertices)).sum();
             let source = |triangle| Source {
                 mesh: mesh.into(),
-                triangle,
+                triangle: if is_level { Source::LEVEL } else { triangle },
             };
             let after_edges = triangles + edges;
             sources.triangles.extend((0..triangles).map(source));
@@ -156,7 +168,13 @@ fn bake_with(scene: &Scene, rays: Option<&[Sample]>) -> Result<Baked, BakeError>
         } else {
             units.scene_length(LEAST_HALF)
         };
-        parts.add_mesh(instance, mesh, least)?;
+        let detailed = scene.lod.is_some() && !instance.edges && !instance.points;
+        let levels = if detailed && !mesh.triangles.is_empty() {
+            levels(&instance.shaped(mesh), instance.smooth)
+        } else {
+            Vec::new()
+        };
+        parts.add_mesh(instance, mesh, &levels, least)?;
     }
     let lights = scene
         .lights
@@ -191,8 +209,11 @@ fn bake_with(scene: &Scene, rays: Option<&[Sample]>) -> Result<Baked, BakeError>
         let mut rays = crate::ray::rays(scene, &units, &instances, &mut parts)?;
         // Those of lines and points.
         rays.optics.resize(materials.len(), Optics::PLAIN);
+        parts.add_levels()?;
+        rays.shapes.resize(parts.meshes.len(), NO_SHAPE);
         rays
     } else {
+        parts.add_levels()?;
         Rays::default()
     };
 

@@ -75,6 +75,15 @@ pub enum Problem {
         /// Its name.
         actor: String,
     },
+    /// A mesh that cannot be simplified as far as was asked for.
+    Simplify {
+        /// Its name.
+        mesh: String,
+        /// Triangles that are left where nothing more can go.
+        least: usize,
+        /// Its share of the triangles asked for.
+        most: usize,
+    },
     /// A number that the format cannot hold.
     Range {
         /// Which, and where.
@@ -99,6 +108,12 @@ impl fmt::Display for Problem {
                  or its parent's uneven scale, shear or reflection, which would bend its mesh \
                  anew in each frame; expected the uneven part on the actor itself as scale or \
                  shear, or a matrix that only turns on a parent"
+            ),
+            Self::Simplify { mesh, least, most } => write!(
+                f,
+                "`{mesh}` cannot be simplified below {least} triangles without closing its \
+                 borders, its texture's seams or its creases, {most} are its share; expected \
+                 a larger number"
             ),
             Self::Range { what, value, most } => write!(
                 f,

@@ -45,6 +45,18 @@ impl Instance {
         mesh.normals.iter().map(turn).collect()
     }
 
+    /// The whole mesh as the instance has it.
+    pub(crate) fn shaped(&self, mesh: &Mesh) -> Mesh {
+        let rows = |vectors: Vec<DVec3>| vectors.iter().map(DVec3::to_array).collect();
+        Mesh {
+            positions: rows(self.positions(mesh)),
+            normals: rows(self.normals(mesh)),
+            triangles: mesh.triangles.iter().map(|t| self.corners(*t)).collect(),
+            primitive: None,
+            ..mesh.clone()
+        }
+    }
+
     /// Corners of a triangle, outward also after a reflection.
     pub(crate) fn corners(&self, [a, b, c]: [u32; 3]) -> [u32; 3] {
         if self.linear.determinant() < 0.0 {

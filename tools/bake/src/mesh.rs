@@ -2,16 +2,18 @@
 
 use std::collections::HashMap;
 
-use fixel::scene::layout::{CHAINED, LEAST_RADIUS};
+use fixel::scene::layout::{CHAINED, LEAST_RADIUS, MOST_SHIFT};
 use fixel::scene::{Coordinates, Mesh as MeshRecord, Meshlet};
 use fixel_scene::{Mesh, Rgb};
-use glam::{DVec3, IVec3};
+use glam::{DMat3, DVec3, IVec3};
 
+use crate::blob::at_most;
 use crate::grid::{Bounds, Grid, Shifts};
 use crate::group::{Group, groups};
 use crate::instance::Instance;
 use crate::light_error::wrong_share;
 use crate::meshlet::clusters;
+use crate::simplify::Level;
 use crate::snap::{place, snap};
 use crate::{BakeError, Problem, coordinates, normal};
 
@@ -31,8 +33,13 @@ pub struct Source {
     /// Index into the description's meshes.
     pub mesh: u32,
     /// Index into that mesh's triangles; of an edge counted on from the triangles, of
-    /// a vertex from the edges.
+    /// a vertex from the edges; [`Source::LEVEL`] for those of a coarser level.
     pub triangle: u32,
+}
+
+impl Source {
+    /// The triangle and the vertex of a level of detail, which the description does not have.
+    pub const LEVEL: u32 = u32::MAX;
 }
 
 /// For each triangle, edge and vertex of a blob, where it comes from.
@@ -62,6 +69,8 @@ pub(crate) struct Parts {
     pub meshlet_edges: Vec<u32>,
     pub sources: Sources,
     pub grids: Vec<Grid>,
+    /// Of each mesh, its levels of detail.
+    levels: Vec<Vec<MeshRecord>>,
 }
 
 /// A mesh as its instance has it.
@@ -85,41 +94,80 @@ struct Shape {
 }
 
 impl Parts {
-    /// `least` is half the size that a mesh's grid is made for at least.
+    /// `levels` are the mesh's, as the instance has it. `least` is half the size that a
+    /// mesh's grid is made for at least.
     pub(crate) fn add_mesh(
         &mut self,
         instance: &Instance,
         mesh: &Mesh,
+        levels: &[Level],
         least: f64,
     ) -> Result<(), BakeError> {
         let mut shape = Shape::new(instance, mesh)?;
-        let clusters = clusters(&shape.positions, &shape.triangles);
-        let edges = if instance.edges {
-            mesh.edges.as_slice()
-        } else {
-            &[]
-        };
-        let points = 0..if instance.points {
-            shape.positions.len() as u32
-        } else {
-            0
-        };
-        let groups = groups(&shape.triangles, clusters, edges, points);
-        let places = |group: &Group| {
-            let vertices = group.vertices.clone();
-            vertices.into_iter().map(|v| shape.positions[v as usize])
-        };
-        let grid = Grid::new(Bounds::of(groups.iter().flat_map(places)), least);
-        let shifts: Vec<Shifts> = groups
-            .iter()
-            .map(|group| grid.shifts(Bounds::of(places(group))))
-            .collect();
-
+        let groups = shape.groups(instance, mesh);
+        let of_levels = levels.iter().flat_map(|level| &level.mesh.positions);
+        let of_levels = of_levels.map(|p| DVec3::from(*p));
+        let own = groups.iter().flat_map(|group| shape.places(group));
+        let grid = Grid::new(Bounds::of(own.chain(of_levels)), least);
+        let shifts = shape.shifts(&groups, &grid);
         let coarse = shifts.iter().flatten().any(|s| *s > 0);
         shape.fine = instance.glossy
             || coarse && shape.triangles.len() <= FINE_TRIANGLES
             || instance.smooth && shape.wrong_share(instance.brightness) > WRONG_SHARE;
+        let fine = shape.fine;
+        let mut finest = self.add_shape(instance, mesh, shape, &groups, &grid)?;
 
+        let mut coarser = Vec::new();
+        for level in levels {
+            let as_it_is = Instance {
+                linear: DMat3::IDENTITY,
+                ..instance.clone()
+            };
+            let mut shape = Shape::new(&as_it_is, &level.mesh)?;
+            shape.source.fill(Source::LEVEL);
+            shape.fine = fine;
+            let groups = shape.groups(&as_it_is, &level.mesh);
+            let record = self.add_shape(&as_it_is, &level.mesh, shape, &groups, &grid)?;
+            // With what snapping to the coarsest grid may add.
+            let snapped = f64::from(3 << MOST_SHIFT);
+            let steps = level.error * f64::exp2(f64::from(grid.exponent)) + snapped;
+            coarser.push(MeshRecord {
+                error: steps.ceil() as u32,
+                ..record
+            });
+        }
+        // One sphere holds all of them.
+        let all = coarser.iter().map(|record| record.radius);
+        finest.radius = all.fold(finest.radius, u32::max);
+        self.levels.push(coarser);
+        self.meshes.push(finest);
+        self.grids.push(grid);
+        Ok(())
+    }
+
+    /// Puts all levels behind all meshes.
+    pub(crate) fn add_levels(&mut self) -> Result<(), BakeError> {
+        for (mesh, levels) in std::mem::take(&mut self.levels).into_iter().enumerate() {
+            if levels.is_empty() {
+                continue;
+            }
+            let first = self.meshes.len();
+            at_most("meshes with their levels", first + levels.len(), 65535)?;
+            self.meshes[mesh].levels = (first as u16, levels.len() as u8);
+            self.meshes.extend(levels);
+        }
+        Ok(())
+    }
+
+    fn add_shape(
+        &mut self,
+        instance: &Instance,
+        mesh: &Mesh,
+        mut shape: Shape,
+        groups: &[Group],
+        grid: &Grid,
+    ) -> Result<MeshRecord, BakeError> {
+        let shifts = shape.shifts(groups, grid);
         // A vertex is on the coarsest grid of the meshlets that share it.
         let mut coarsest: HashMap<_, Shifts> = HashMap::new();
         for (group, shifts) in groups.iter().zip(&shifts).filter(|_| !shape.fine) {
@@ -129,7 +177,7 @@ impl Parts {
                 *held = [0, 1, 2].map(|axis| held[axis].max(shifts[axis]));
             }
         }
-        shape.snapped = snap(&shape.positions, &shape.triangles, &grid, &coarsest);
+        shape.snapped = snap(&shape.positions, &shape.triangles, grid, &coarsest);
 
         let first_meshlet = self.meshlets.len() as u32;
         let vertices = self.vertices.len() as u32;
@@ -148,7 +196,11 @@ impl Parts {
             let after_edges = triangles + mesh.edges.len() as u32;
             let of_triangle = |t: &usize| source(shape.source[*t]);
             let of_edge = |e: &usize| source(triangles + *e as u32);
-            let of_vertex = |v: &u32| source(after_edges + v);
+            let is_level = shape.source.first() == Some(&Source::LEVEL);
+            let of_vertex = |v: &u32| match is_level {
+                true => source(Source::LEVEL),
+                false => source(after_edges + v),
+            };
             let sources = &mut self.sources;
             sources
                 .triangles
@@ -160,7 +212,7 @@ impl Parts {
             let length = |v: &u32| shape.snapped[*v as usize].as_dvec3().length();
             radius = group.vertices.iter().map(length).fold(radius, f64::max);
         }
-        self.meshes.push(MeshRecord {
+        Ok(MeshRecord {
             first_meshlet,
             meshlets: groups.len() as u32,
             radius: radius.ceil() as u32 + 1,
@@ -171,9 +223,9 @@ impl Parts {
                 offset: coordinates,
                 ..grid
             }),
-        });
-        self.grids.push(grid);
-        Ok(())
+            levels: (0, 0),
+            error: 0,
+        })
     }
 
     /// The edges of the meshlet that was added last.
@@ -307,6 +359,32 @@ impl Shape {
             flat: instance.flat,
             fine: false,
         })
+    }
+
+    /// What goes into its meshlets.
+    fn groups(&self, instance: &Instance, mesh: &Mesh) -> Vec<Group> {
+        let clusters = clusters(&self.positions, &self.triangles);
+        let edges = if instance.edges {
+            mesh.edges.as_slice()
+        } else {
+            &[]
+        };
+        let points = 0..if instance.points {
+            self.positions.len() as u32
+        } else {
+            0
+        };
+        groups(&self.triangles, clusters, edges, points)
+    }
+
+    fn places(&self, group: &Group) -> impl Iterator<Item = DVec3> {
+        let vertices = group.vertices.iter();
+        vertices.map(|v| self.positions[*v as usize])
+    }
+
+    fn shifts(&self, groups: &[Group], grid: &Grid) -> Vec<Shifts> {
+        let shifts = |group: &Group| grid.shifts(Bounds::of(self.places(group)));
+        groups.iter().map(shifts).collect()
     }
 
     /// See [`wrong_share`].

@@ -1,5 +1,6 @@
 //! What the description says of camera and actors, in the blob's records.
 
+use fixel::math::SUBPX_BITS;
 use fixel::scene::layout::STEP_EXPONENTS;
 use fixel::scene::{self as core_scene, CameraRecord, Header};
 use fixel_scene::{
@@ -37,6 +38,12 @@ pub(crate) fn header(scene: &Scene, units: &Units, spread: f64) -> Result<Header
         dither_spread: (spread * 255.0 * 64.0).round() as u16,
         cycle: cycle.map_or((0, 0), |c| (c.first as u16, (c.last - c.first + 1) as u16)),
         cycle_frames: cycle.map_or(0, |c| c.frames),
+        level_error: scene.lod.map_or(0, |lod| {
+            let [across, down] = scene.display.samples.map(f64::from);
+            // In the frame's pixels, of which there may be several a pixel of the picture.
+            let sub_pixels = lod.error * across.min(down) * f64::from(1 << SUBPX_BITS);
+            sub_pixels.round().max(1.0) as u16
+        }),
         camera,
     })
 }

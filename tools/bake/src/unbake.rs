@@ -5,13 +5,13 @@
 //! octahedral, a material's colour is the palette's at full light.
 
 use fixel::Scene as Blob;
-use fixel::math::Scaled;
+use fixel::math::{SUBPX_BITS, Scaled};
 use fixel::scene as core_scene;
 use fixel::scene::layout::CHAINED;
 use fixel_scene::{
-    Actor, Aspect, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Look, Mark,
-    Material, Mesh, Palette, PanelDithering, Projection, Ray, Representation, Rgb, Scene, Shading,
-    Source, Space, Stereo, Viewport,
+    Actor, Aspect, Background, Camera, ColourFormat, Cull, Display, Light, LightKind, Lod, Look,
+    Mark, Material, Mesh, Palette, PanelDithering, Projection, Ray, Representation, Rgb, Scene,
+    Shading, Source, Space, Stereo, Viewport,
 };
 
 use crate::normal;
@@ -83,6 +83,7 @@ pub fn unbake(blob: &Blob<'_>) -> Scene {
             .fog()
             .map(|fog| crate::fog::unbake(&fog, |bits| places.length(bits))),
         animation: motion::animation(blob, &places),
+        lod: lod(blob),
         ray: Ray::default(),
         source: Source::default(),
         palette: if blob.is_direct() {
@@ -140,6 +141,14 @@ fn viewport(blob: &Blob<'_>, number: u16, places: &Places) -> Viewport {
             Aspect::Keep
         },
     }
+}
+
+/// How much detail may be left out.
+fn lod(blob: &Blob<'_>) -> Option<Lod> {
+    let sub_pixels = f64::from(blob.header().level_error) / f64::from(1 << SUBPX_BITS);
+    let [across, down] = blob.output().samples.map(f64::from);
+    let error = sub_pixels / across.min(down);
+    (error > 0.0).then_some(Lod { error })
 }
 
 fn colour(blob: &Blob<'_>, index: u8) -> Rgb {

@@ -150,7 +150,8 @@ pub struct Bake {
     /// The baked scene.
     #[arg(short, long, value_name = "OUT.fxl")]
     pub output: PathBuf,
-    /// Simplify each mesh to at most N triangles.
+    /// Simplify the scene's meshes, the largest ones, to at most N triangles in total; how
+    /// far they then are off is said on standard error.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub max_triangles: Option<u32>,
     /// Colours of the palette, 2 to 256 [default: as the scene says].

@@ -1,6 +1,6 @@
 //! `fixel bake`.
 
-use crate::{args, baked, input, output};
+use crate::{args, input, output};
 use anyhow::{Result, bail};
 
 /// Bakes a scene into one file.
@@ -31,12 +31,16 @@ pub fn run(args: &args::Bake) -> Result<()> {
             args.scene.display()
         );
     }
-    let options = baked::Options {
-        max_triangles: args.max_triangles,
-        ray: args.ray,
+    if let Some(most) = args.max_triangles {
+        input.reduce(most)?;
+    }
+    let baked = if args.ray {
+        input.bake_for_rays()?
+    } else {
+        input.bake()?
     };
-    let bytes = baked::bake(input, options)?;
-    output::write(&args.output, &bytes)?;
+    let bytes = baked.bytes();
+    output::write(&args.output, bytes)?;
     eprintln!("wrote {} ({} bytes)", args.output.display(), bytes.len());
     Ok(())
 }

@@ -1,44 +1,12 @@
-//! Baked scenes: making one, and saying what is in one.
+//! What is in a baked scene.
 
 use anyhow::{Context, Result, anyhow};
+use fixel::Scene;
+use fixel::math::SUBPX_BITS;
+use fixel::scene::Mesh;
 use fixel_bake::Baked;
 use serde_json::{Map, Value, json};
 use std::path::Path;
-
-use crate::input::Input;
-
-/// What a user may ask for beyond the scene itself.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    /// Simplify each mesh to at most this many triangles.
-    pub max_triangles: Option<u32>,
-    /// With what the ray caster needs.
-    pub ray: bool,
-}
-
-/// The bytes of a `.fxl` file.
-pub fn bake(input: Input, options: Options) -> Result<Vec<u8>> {
-    if let Some(most) = options.max_triangles {
-        let larger = input
-            .scene
-            .meshes
-            .iter()
-            .find(|m| m.triangles.len() > most as usize);
-        if let Some(mesh) = larger {
-            let found = mesh.triangles.len();
-            return Err(input.refused(&format!(
-                "`{}` has {found} triangles; simplifying meshes is not there yet",
-                mesh.name
-            )));
-        }
-    }
-    let baked = if options.ray {
-        input.bake_for_rays()?
-    } else {
-        input.bake()?
-    };
-    Ok(baked.bytes().to_vec())
-}
 
 /// Reads a `.fxl` file and checks it.
 pub fn read(path: &Path) -> Result<Baked> {
@@ -61,6 +29,7 @@ pub fn describe(baked: &Baked) -> Result<Map<String, Value>> {
     } else {
         "parallel"
     };
+    let levels = levels(&scene);
     let fields = [
         ("bytes", json!(bytes.len())),
         ("version", json!(fixel::scene::layout::VERSION)),
@@ -90,9 +59,33 @@ pub fn describe(baked: &Baked) -> Result<Map<String, Value>> {
             "mesh_bytes_a_triangle",
             json!((each(mesh_bytes) * 100.0).round() / 100.0),
         ),
+        (
+            "level_error_px",
+            json!(f64::from(header.level_error) / f64::from(1 << SUBPX_BITS)),
+        ),
+        ("levels", json!(levels)),
     ];
     Ok(fields
         .into_iter()
         .map(|(name, value)| (name.to_owned(), value))
         .collect())
+}
+
+/// For each mesh that has levels of detail, the triangles of each, and how far it is off the
+/// mesh in percent of the mesh's diameter.
+fn levels(scene: &Scene<'_>) -> Vec<String> {
+    let says = |mesh: Mesh| {
+        let meshlets = mesh.first_meshlet..mesh.first_meshlet + mesh.meshlets;
+        let triangles = meshlets.filter_map(|number| scene.meshlet(number));
+        let triangles: u32 = triangles.map(|m| u32::from(m.triangles)).sum();
+        let percent = f64::from(mesh.error) / f64::from(2 * mesh.radius) * 100.0;
+        format!("{triangles} ({percent:.2} %)")
+    };
+    let chain = |number: u16| {
+        let (first, levels) = scene.mesh(number).levels;
+        let all = std::iter::once(number).chain(first..first + u16::from(levels));
+        let all: Vec<String> = all.map(|number| says(scene.mesh(number))).collect();
+        (levels != 0).then(|| format!("mesh {number}: {}", all.join(", ")))
+    };
+    (0..scene.mesh_count()).filter_map(chain).collect()
 }

@@ -27,6 +27,28 @@ impl Input {
         self.scene.error(error.element, &error.to_string()).into()
     }
 
+    /// Simplifies the meshes to `most` triangles in total; says on standard error what
+    /// became of them.
+    pub fn reduce(&mut self, most: u32) -> Result<()> {
+        if self.baked.is_some() {
+            return Err(self.refused("--max-triangles needs a scene, this is baked already"));
+        }
+        let reduced = fixel_bake::reduce(&mut self.scene, most as usize)
+            .map_err(|error| self.placed(&error))?;
+        for mesh in reduced {
+            eprintln!(
+                "{}: {} of {} triangles, off by at most {:.3} % of its size ({:.4} of {:.4})",
+                mesh.mesh,
+                mesh.after,
+                mesh.before,
+                mesh.error / mesh.size * 100.0,
+                mesh.error,
+                mesh.size
+            );
+        }
+        Ok(())
+    }
+
     /// The blob: the file's own, or made now.
     pub fn bake(mut self) -> Result<Baked> {
         match self.baked.take() {

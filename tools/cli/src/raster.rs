@@ -89,6 +89,10 @@ pub fn render(input: Input, options: Options) -> Result<Rendered> {
     let mut stats: Map<String, Value> = Map::new();
     stats.extend(counters.map(|(name, count)| (name.to_owned(), json!(count))));
     stats.insert("blob_bytes".into(), json!(baked.bytes().len()));
+    if scene.header().level_error != 0 {
+        let levels = fixel_host::levels(&scene, &scene.pose(options.frame), (width, height));
+        stats.insert("levels".into(), json!(levels));
+    }
     Ok(Rendered {
         frame,
         picture,

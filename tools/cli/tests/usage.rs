@@ -178,3 +178,37 @@ fn a_scene_is_rendered_and_baked_for_a_panel() {
     assert_eq!(refused.code(), 2);
     assert!(refused.stderr().contains("ssd1306-128x64"));
 }
+
+#[test]
+fn meshes_are_simplified_to_a_budget() {
+    let folder = Folder::new();
+    let sphere = "[[actor]]\nsphere = 1\n[[actor]]\nmesh = \"square.obj\"\n";
+    folder.write("ball.toml", sphere);
+    let run = folder.fixel("bake ball.toml -o a.fxl --max-triangles 200");
+    assert_eq!(run.ok(), "");
+    let told = run.stderr();
+    assert!(
+        told.contains("198 of 1280 triangles, off by at most"),
+        "{told}"
+    );
+    let info = folder.fixel("info a.fxl").ok();
+    assert!(info.contains("\ntriangles: 200\n"), "{info}");
+    // Enough for all of it.
+    let run = folder.fixel("bake ball.toml -o b.fxl --max-triangles 5000");
+    assert!(!run.stderr().contains("off by"));
+    let line = folder
+        .fixel("bake ball.toml -o c.fxl --max-triangles 3")
+        .fails();
+    assert!(line.contains("cannot be simplified below"), "{line}");
+    let line = folder
+        .fixel("bake a.fxl -o c.fxl --max-triangles 100")
+        .fails();
+    assert!(line.contains("--max-triangles needs a scene"), "{line}");
+    folder.write("lod.toml", &format!("[lod]\n{sphere}"));
+    folder.fixel("bake lod.toml -o d.fxl").ok();
+    let info = folder.fixel("info d.fxl").ok();
+    assert!(info.contains("mesh 0: 1280 (0.00 %), 640 ("), "{info}");
+    let run = folder.fixel("render lod.toml -o d.png --stats -").ok();
+    let stats: serde_json::Value = serde_json::from_str(&run).unwrap();
+    assert_eq!(stats["levels"][0].as_array().map(Vec::len), Some(2));
+}

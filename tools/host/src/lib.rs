@@ -8,6 +8,7 @@
 mod colour;
 mod compare;
 mod direct;
+mod levels;
 mod overdraw;
 mod panel;
 mod picture;
@@ -17,6 +18,7 @@ mod rays;
 pub use colour::{colours, shown};
 pub use compare::frame;
 pub use direct::direct;
+pub use levels::levels;
 pub use overdraw::overdraw;
 pub use panel::is_dithered;
 pub use picture::picture;

@@ -1,7 +1,7 @@
 //! A frame against the truth.
 
 use crate::bases::Lights;
-use crate::frame::{Frame, FrameError};
+use crate::frame::{Frame, FrameError, NO_TRIANGLE};
 use crate::metric::{Differences, Psnr, percent};
 use crate::report::{Mismatch, MismatchKind, Report};
 use crate::shadow;
@@ -154,8 +154,8 @@ impl Pixel {
             (Some(_), None) => Self::Mismatch(MismatchKind::Missing),
             (None, Some(_)) => Self::Mismatch(MismatchKind::Extra),
             (Some(hit), Some([actor, triangle])) => {
-                let primitive = truth.is_primitive(actor);
-                if hit.actor == actor && (hit.triangle == triangle || primitive) {
+                let whole = truth.is_primitive(actor) || triangle == NO_TRIANGLE as usize;
+                if hit.actor == actor && (hit.triangle == triangle || whole) {
                     return Self::Same;
                 }
                 let (x, y) = (i as u32 % truth.width, i as u32 / truth.width);

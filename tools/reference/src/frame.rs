@@ -8,7 +8,8 @@ use std::fmt;
 /// How many colours a [`Lookup`] tells apart: 4 bits a channel.
 pub const COLOURS: usize = 1 << 12;
 
-/// [`Frame::triangle`] where nothing is seen.
+/// [`Frame::triangle`] where nothing is seen, or what is seen is a simpler mesh in the
+/// place of an actor's own: which agrees with the truth where that shows the same actor.
 pub const NO_TRIANGLE: u32 = u32::MAX;
 
 /// What the renderer under test drew. Pixels go by rows from the top left;
@@ -24,7 +25,7 @@ pub struct Frame {
     /// 0 where nothing is seen, otherwise 1 + the actor's index in the scene.
     pub actor: Vec<u16>,
     /// Index of the triangle in the actor's mesh ([`fixel_scene::Mesh`], not
-    /// the baked order); [`NO_TRIANGLE`] where nothing is seen.
+    /// the baked order); or [`NO_TRIANGLE`].
     pub triangle: Vec<u32>,
     /// Light before it is looked up: of a material that goes by level
     /// ([`Path::Level`], [`Path::Textured`]) three times its level, of one that goes by colour

@@ -92,6 +92,7 @@ pub(crate) fn scene(
         fog: None,
         animation: Animation::default(),
         palette: Palette::default(),
+        lod: None,
         ray: Ray::default(),
         source: Source {
             file: origin.path.to_owned(),

@@ -32,6 +32,12 @@ const PSNR_DB: f64 = 45.0;
 /// rounding to them costs all but 42 dB, and what is mixed is rounded twice.
 const DIRECT_DB: f64 = 40.0;
 
+/// Of a scene with level of detail, whose coarser meshes are off by half a pixel: most pixels
+/// whose coverage may differ, as a share of the covered ones.
+const LOD_COVERAGE_PERCENT: f64 = 0.5;
+/// Most that light is off in the mean there, of 255.
+const LOD_LEVEL: f64 = 2.0;
+
 /// Of the ray caster: most pixels that show another surface, as a share of the picture,
 /// and always one pixel.
 const RAY_SURFACE_PERCENT: f64 = 0.01;
@@ -69,6 +75,8 @@ struct Compared {
     one_material: bool,
     /// Colours are as they are lit, but for what 16 bits leave of them.
     without_palette: bool,
+    /// It is drawn with coarser meshes from afar.
+    lod: bool,
 }
 
 /// Compares every scene in `scenes/`, `scenes/bench/` and `scenes/ray/`, frame 0, at its own
@@ -98,6 +106,7 @@ pub fn run(tally: &mut Tally, report: Option<&Path>) -> Result<Value> {
             continue;
         };
         let limits = match renderer {
+            Renderer::Raster if compared.lod => lod_limits(&compared.report),
             Renderer::Raster => limits(&compared),
             Renderer::Ray => ray_limits(&compared.report).map_err(|problem| known(&name, problem)),
         };
@@ -155,6 +164,7 @@ fn compare(file: &Path, renderer: Renderer, pages: bool) -> Result<Option<Compar
         page: None,
         one_material: scene.materials.len() == 1 && !without_palette && !blended_texels,
         without_palette,
+        lod: scene.lod.is_some() && renderer == Renderer::Raster,
         report,
         rgb888_psnr_db,
     };
@@ -316,6 +326,25 @@ fn limits(compared: &Compared) -> Result<()> {
     if compared.without_palette && true_db < DIRECT_DB {
         broken.push(format!("colour without a palette at {true_db:.1} dB only"));
     }
+    if broken.is_empty() {
+        Ok(())
+    } else {
+        Err(broken.join("; ").into())
+    }
+}
+
+/// Of a scene with level of detail: depth and light are those of other surfaces.
+fn lod_limits(report: &Report) -> Result<()> {
+    let mut broken = Vec::new();
+    if report.coverage_mismatch_percent > LOD_COVERAGE_PERCENT {
+        let percent = report.coverage_mismatch_percent;
+        broken.push(format!("coverage differs on {percent:.2} %"));
+    }
+    if report.level_mean > LOD_LEVEL {
+        let mean = report.level_mean;
+        broken.push(format!("light is off by {mean:.2} of 255 in the mean"));
+    }
+    broken.extend(far_from_truth(report));
     if broken.is_empty() {
         Ok(())
     } else {

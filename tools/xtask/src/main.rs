@@ -39,6 +39,7 @@ mod readme;
 mod report;
 mod rp2040;
 mod scaling;
+mod scaling_levels;
 mod scene;
 mod screen;
 mod test;
@@ -250,6 +251,9 @@ fn run(task: Task) -> Result<()> {
                     growth::write(&grown)?;
                 }
                 let mut all = scaling::run(tally)?;
+                if write {
+                    scaling_levels::write(&all["levels"])?;
+                }
                 if let (Some(all), Some(grown)) = (all.as_object_mut(), grown.as_object()) {
                     all.extend(grown.clone());
                 }

@@ -1,5 +1,5 @@
 //! How instructions grow with the mesh: the same picture from meshes of 1,000 to 100,000
-//! triangles.
+//! triangles, by rays; by triangles see [`crate::scaling_levels`].
 
 use std::f64::consts::TAU;
 
@@ -10,10 +10,10 @@ use crate::board::{self, Board};
 use crate::measure::{ONE_BAND, Target};
 use crate::problem::Result;
 use crate::report::{Tally, table};
-use crate::{paths, scene};
+use crate::{paths, scaling_levels, scene};
 
 /// Boards that are measured.
-const BOARDS: [&str; 2] = ["cortex-m4f", "cortex-m0plus"];
+pub const BOARDS: [&str; 2] = ["cortex-m4f", "cortex-m0plus"];
 /// The mesh's columns and rows: two triangles each.
 const SIZES: [[u32; 2]; 5] = [[25, 20], [50, 40], [100, 50], [150, 100], [250, 200]];
 /// The picture in which the mesh is shown: rays of the eye alone.
@@ -25,7 +25,7 @@ const MOST: f64 = 2.0;
 
 /// Draws every size on both boards. Gives `{"board": [{"triangles": n, "scene_bytes": n,
 /// "rays": n, "instructions": n}]}`. Ten times the triangles are held to twice the
-/// instructions a ray.
+/// instructions a ray. And `"levels"`, what [`crate::scaling_levels`] gives.
 pub fn run(tally: &mut Tally) -> Result<Value> {
     let mut all = Map::new();
     for name in BOARDS {
@@ -36,6 +36,7 @@ pub fn run(tally: &mut Tally) -> Result<Value> {
         }
         all.insert(name.into(), rows.into());
     }
+    all.insert("levels".into(), scaling_levels::run(tally)?);
     Ok(all.into())
 }
 
@@ -68,7 +69,7 @@ fn on(board: &'static Board, tally: &mut Tally) -> Result<Vec<Value>> {
 }
 
 /// Puts a mesh in the place of the scene's.
-fn show(scene: &mut Scene, mesh: Mesh) {
+pub fn show(scene: &mut Scene, mesh: Mesh) {
     scene.meshes = vec![mesh];
     scene.actors.truncate(1);
     let actor = &mut scene.actors[0];
@@ -77,7 +78,7 @@ fn show(scene: &mut Scene, mesh: Mesh) {
 
 /// A ring with waves of two sizes on it, so that it is nowhere flat and hides parts of
 /// itself.
-fn ring([columns, rows]: [u32; 2]) -> Mesh {
+pub fn ring([columns, rows]: [u32; 2]) -> Mesh {
     let (mut positions, mut normals, mut triangles) = (Vec::new(), Vec::new(), Vec::new());
     for column in 0..columns {
         for row in 0..rows {
@@ -140,8 +141,9 @@ pub fn markdown(figures: &Value) -> String {
     });
     let head = ["triangles", "scene, bytes", "M4F", "M0+"];
     format!(
-        "Instructions a ray, 76,800 rays of the eye, one band; `cargo xtask scaling`.\n\n{}",
-        table(&head, &rows.collect::<Vec<_>>())
+        "Instructions a ray, 76,800 rays of the eye, one band; `cargo xtask scaling`.\n\n{}\n{}",
+        table(&head, &rows.collect::<Vec<_>>()),
+        scaling_levels::markdown(&figures["levels"])
     )
 }
 

@@ -60,6 +60,7 @@ fn scene(width: u32, height: u32, projection: Projection) -> Scene {
         fog: None,
         animation: Animation::default(),
         palette: Palette::default(),
+        lod: None,
         ray: Ray::default(),
         source: Source::default(),
     }

@@ -12,6 +12,7 @@ mod camera;
 mod display;
 mod fog;
 mod light;
+mod lod;
 mod material;
 mod palette;
 mod ray;
@@ -23,6 +24,7 @@ pub use camera::*;
 pub use display::*;
 pub use fog::*;
 pub use light::*;
+pub use lod::*;
 pub use material::*;
 pub use palette::*;
 pub use ray::*;
@@ -63,6 +65,8 @@ pub struct Scene {
     pub animation: Animation,
     /// How the palette is made.
     pub palette: Palette,
+    /// Level of detail; none: all triangles are drawn from any distance.
+    pub lod: Option<Lod>,
     /// How rays are cast.
     pub ray: Ray,
     /// Where it comes from.

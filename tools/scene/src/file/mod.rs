@@ -10,6 +10,7 @@ mod colour;
 mod display;
 mod fog;
 mod light;
+mod lod;
 mod look;
 mod material;
 mod palette;
@@ -64,6 +65,7 @@ const ROOT: Keys = Keys {
         "palette",
         "viewport",
         "fog",
+        "lod",
         "ray",
     ],
     later: &[],
@@ -128,6 +130,8 @@ pub(crate) fn parse(
     let camera = camera::camera(camera.as_ref(), &bounds, shape, &animation, Target::Camera)?;
     let fog = one(&root, "fog", &fog::FOG)?;
     let fog = fog.as_ref().map(fog::fog).transpose()?;
+    let lod = one(&root, "lod", &lod::LOD)?;
+    let lod = lod.as_ref().map(lod::lod).transpose()?;
     let ray = one(&root, "ray", &ray::RAY)?;
     let ray = ray::ray(ray.as_ref())?;
     let viewports = viewport::viewports(&root, &bounds, shape, &animation)?;
@@ -145,6 +149,7 @@ pub(crate) fn parse(
         fog,
         animation,
         palette,
+        lod,
         ray,
         source: crate::description::Source {
             file: origin.path.to_owned(),

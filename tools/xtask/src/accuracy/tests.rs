@@ -17,6 +17,7 @@ fn compared(mismatch: usize, depth: f64, psnr: f64) -> Compared {
         rgb888_psnr_db: psnr,
         one_material: true,
         without_palette: false,
+        lod: false,
     }
 }
 
@@ -72,4 +73,18 @@ fn each_limit_can_be_broken() {
     assert!(!holds(|r| r.level_within_2_percent = 98.9));
     assert!(!holds(|r| r.rgb_psnr_db = 39.9));
     assert!(!holds(|r| r.rgb_psnr_true_db = 29.9));
+}
+
+#[test]
+fn each_limit_of_level_of_detail_can_be_broken() {
+    let good = compared(90, 10.0, 35.0).report;
+    let holds = |change: fn(&mut Report)| {
+        let mut report = good.clone();
+        change(&mut report);
+        lod_limits(&report).is_ok()
+    };
+    assert!(holds(|_| {}));
+    assert!(!holds(|r| r.coverage_mismatch_percent = 0.6));
+    assert!(!holds(|r| r.level_mean = 2.1));
+    assert!(!holds(|r| r.rgb_psnr_db = 39.9));
 }

@@ -43,6 +43,7 @@ fn the_documentation_has_every_key() {
         (annotations, &super::super::annotation::MARKER),
         (annotations, &super::super::annotation::TEXT),
         ("[fog]", &super::super::fog::FOG),
+        ("[lod]", &super::super::lod::LOD),
         ("[ray]", &super::super::ray::RAY),
         ("[palette]", &super::super::palette::PALETTE),
         ("[palette]", &super::super::palette::RAMP),

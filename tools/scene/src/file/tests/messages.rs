@@ -93,6 +93,8 @@ messages! {
     plane_without_area: "[[actor]]\nplane = [1, 0]"
         => "t.toml:2: actor.plane: 0 is out of range (1e-6..=1e6); \
             expected e.g. plane = [4, 3]";
+    lod_error: "[lod]\nerror = 0"
+        => "t.toml:2: lod.error: 0 is out of range; expected a number in 0.01..=8";
     ray_depth: "[ray]\ndepth = 9"
         => "t.toml:2: ray.depth: 9 is out of range; expected a whole number in 1..=8";
     ray_samples: "[ray]\nsamples = 5"

@@ -3,7 +3,7 @@
 use super::{ACTOR, parse_at, path, read, refused};
 use crate::Space;
 use crate::description::{
-    Background, ColourFormat, Cull, Dithering, Light, LightKind, Material, Palette, Primitive,
+    Background, ColourFormat, Cull, Dithering, Light, LightKind, Lod, Material, Palette, Primitive,
     Projection, Ramp, Ray, Shading, Transparency,
 };
 use crate::texture::{Filter, Texturing, Wrap};
@@ -325,4 +325,12 @@ fn rays_and_what_they_meet() {
         assert!((b - a).cross(c - a).y > 0.0);
     }
     assert_eq!(read(ACTOR).unwrap().ray, Ray::default());
+}
+
+#[test]
+fn level_of_detail_is_asked_for_by_its_table() {
+    let lod = |text: &str| read(&format!("{text}\n{ACTOR}")).unwrap().lod;
+    assert_eq!(lod(""), None);
+    assert_eq!(lod("[lod]"), Some(Lod { error: 0.5 }));
+    assert_eq!(lod("[lod]\nerror = 2"), Some(Lod { error: 2.0 }));
 }
