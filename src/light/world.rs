@@ -41,6 +41,13 @@ impl WorldLights {
         let sources = self.sources.get(..self.count).unwrap_or_default();
         sources.iter().map(|source| WorldLight { source })
     }
+
+    /// One of them.
+    #[inline(always)]
+    pub fn get(&self, number: usize) -> Option<WorldLight<'_>> {
+        let source = self.sources.get(number)?;
+        (number < self.count).then_some(WorldLight { source })
+    }
 }
 
 /// One of them.
@@ -57,6 +64,7 @@ impl WorldLight<'_> {
 
     /// The direction to the light, which is at `from`, at a place (both raw world bits),
     /// and the factor of its light there, 14 fractional bits; `None` where none gets to.
+    #[inline(never)]
     pub fn reaches(&self, from: [i32; 3], place: [i32; 3]) -> Option<(ShortUnit, u32)> {
         let [from, place] = [from, place].map(|p| p.map(|c| c >> SHIFT));
         self.source.reaches_from(from, place)
@@ -70,6 +78,7 @@ pub struct WorldSums(Sums);
 impl WorldSums {
     /// Adds what a light gives that reaches a surface of this material; `eye` is the
     /// direction against the ray.
+    #[inline(never)]
     pub fn add(
         &mut self,
         light: &WorldLight<'_>,
@@ -89,6 +98,7 @@ impl WorldSums {
     }
 
     /// What the material gives back.
+    #[inline(never)]
     pub fn parts(&self, material: &Material, tint: Option<[u8; 3]>) -> Parts {
         let shiny = material.channels.specular != [0; 3];
         self.0.parts(&material.channels, shiny, tint)

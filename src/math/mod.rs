@@ -24,12 +24,16 @@ pub use blue_noise::blue_noise;
 pub use formats::{
     Depth, Factor, FineDepth, FineLevel, HALF_PX, Level, MAX_SCREEN, SUBPX_BITS, SubPx, World,
 };
-pub use length::{ShortUnit, direction, reciprocal_root, root, scaled_reciprocal, short_dot, unit};
+pub use length::{
+    ShortUnit, direction, reciprocal_root, root, scaled_reciprocal, short_dot, unit, unit_vector,
+};
 pub(crate) use octahedral::decode_octahedral;
 #[cfg(test)]
 use octahedral::normal_length_recip;
 pub use power::power;
 pub use quotient::Divider;
+#[cfg(feature = "ray")]
+pub(crate) use recip::leading_zeros;
 pub use recip::{Reciprocal, reciprocal};
 pub use rect::Rect;
 pub use rotation::Rotation;

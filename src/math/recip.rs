@@ -29,9 +29,10 @@ pub struct Reciprocal {
     pub shift: u32,
 }
 
-/// [`u32::leading_zeros`], which is a long function where it is no instruction.
+/// [`u32::leading_zeros`] of a value other than 0: a long function where it is no
+/// instruction.
 #[inline(always)]
-fn leading_zeros(value: u32) -> u32 {
+pub(crate) fn leading_zeros(value: u32) -> u32 {
     if cfg!(narrow_multiply) {
         leading_zeros_by_parts(value)
     } else {

@@ -1,6 +1,7 @@
 //! Numbers of any size, for the few places that need them: attenuation over all
 //! distances that a world holds.
 
+use super::recip::leading_zeros;
 use super::wide::mul_high_u;
 
 /// `mantissa * 2^exponent`, not negative; relative error below 2^-29 an operation.
@@ -23,7 +24,7 @@ impl Scaled {
         if mantissa == 0 {
             return Self::ZERO;
         }
-        let up = mantissa.leading_zeros();
+        let up = leading_zeros(mantissa);
         Self {
             mantissa: mantissa << up.min(31),
             exponent: exponent.saturating_sub(up as i32).clamp(-4096, 4096),

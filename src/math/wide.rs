@@ -36,11 +36,11 @@ pub fn product(a: i32, b: i32) -> i64 {
 /// The square in 64 bits.
 #[inline(always)]
 pub fn square(v: i32) -> u64 {
-    let v = v.unsigned_abs();
     if cfg!(narrow_multiply) {
+        let v = v.unsigned_abs();
         u64::from(mul_high_u_by_halves(v, v)) << 32 | u64::from(v.wrapping_mul(v))
     } else {
-        u64::from(v) * u64::from(v)
+        (i64::from(v) * i64::from(v)) as u64
     }
 }
 
