@@ -2,7 +2,7 @@
 
 use super::ray::between;
 use super::triangle::Faces;
-use crate::math::{Scaled, Unit3, mul_high, scaled_reciprocal};
+use crate::math::{Scaled, Unit3, leading_zeros, mul_high, scaled_reciprocal};
 use crate::scene::{Actor, Cull, Node, Optics, Place, Record, Scene, Shape};
 use crate::view::ModelFrame;
 
@@ -149,8 +149,12 @@ impl RayActor {
     pub(super) fn place(&self, world: [i32; 3]) -> Option<GridPlace> {
         let off = between(world, self.centre);
         let bits = off.iter().fold(1, |m, c| m | c.unsigned_abs());
-        let up = bits.leading_zeros() as i32 - 1;
-        let off = off.map(|c| if up >= 0 { c << up } else { c >> 1 });
+        let up = leading_zeros(bits) as i32 - 1;
+        let off = if up >= 0 {
+            off.map(|c| c << up)
+        } else {
+            off.map(|c| c >> 1)
+        };
         // 2^(up - 2) of a raw bit.
         let turned = self.direction(off);
         let half = (self.per_bit.mantissa() >> 1) as i32;

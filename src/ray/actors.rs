@@ -23,8 +23,6 @@ struct View {
     bounds: Rect,
     /// The eye in its grid.
     eye: Option<GridPlace>,
-    /// All of it is beyond the near plane.
-    beyond_near: bool,
 }
 
 impl View {
@@ -32,7 +30,6 @@ impl View {
         viewport: 0,
         bounds: Rect::of_size(0, 0),
         eye: None,
-        beyond_near: false,
     };
 }
 
@@ -91,10 +88,20 @@ impl<'a> RayActors<'a> {
         actors
     }
 
-    /// The actors that a ray may meet.
+    /// The actors that a ray may meet that is as thick as `around`, raw world bits.
     #[inline(always)]
-    pub(super) fn candidates(&self, ray: &Ray) -> Candidates {
-        Candidates::of(ray, self.unit, self.spheres, self.count())
+    pub(super) fn candidates(&self, ray: &Ray, around: u32) -> Candidates {
+        Candidates::of(ray, around, self.unit, self.spheres, self.count())
+    }
+
+    /// All actors.
+    pub(super) fn all(&self) -> Candidates {
+        Candidates::all(self.count())
+    }
+
+    /// The unit of the spheres about actors.
+    pub(super) fn unit(&self) -> Unit {
+        self.unit
     }
 
     /// A candidate, if a ray may meet it nearer than `far`.
@@ -130,54 +137,55 @@ impl<'a> RayActors<'a> {
         Some(slot)
     }
 
-    /// Where a viewport's camera sees an actor.
-    pub(super) fn bounds(&mut self, number: u16, viewport: u16, camera: &RayCamera) -> Rect {
+    /// An actor as a viewport's camera sees it.
+    #[inline(always)]
+    fn viewed(&mut self, number: u16, viewport: u16, camera: &RayCamera) -> Option<&RaySlot> {
         let scene = self.scene;
-        let Some(slot) = self.slot(number) else {
-            return Rect::of_size(0, 0);
-        };
+        let slot = self.slot(number)?;
         if slot.view.viewport != viewport + 1 {
-            let actor = &slot.actor;
-            let seen = actor.radius != 0;
-            slot.view = View {
-                viewport: viewport + 1,
-                bounds: if seen {
-                    on_screen(scene, actor, camera)
-                } else {
-                    Rect::of_size(0, 0)
-                },
-                eye: camera.eye().and_then(|eye| actor.place(eye)),
-                beyond_near: camera.eye().is_some()
-                    && camera.is_beyond_near(actor.centre, actor.radius),
-            };
+            look(scene, slot, viewport, camera);
         }
-        slot.view.bounds
+        Some(slot)
     }
 
-    /// An actor, and where a camera's ray that starts at `origin` starts in its grid:
-    /// of a perspective, as kept since [`RayActors::bounds`]; and whether all of it is beyond
-    /// the near plane.
+    /// Where a viewport's camera sees an actor.
+    pub(super) fn bounds(&mut self, number: u16, viewport: u16, camera: &RayCamera) -> Rect {
+        let slot = self.viewed(number, viewport, camera);
+        slot.map_or(Rect::of_size(0, 0), |slot| slot.view.bounds)
+    }
+
+    /// An actor, and where a perspective's rays start in its grid.
     #[inline(always)]
     pub(super) fn seen(
         &mut self,
         number: u16,
         viewport: u16,
         camera: &RayCamera,
-        origin: [i32; 3],
-    ) -> Option<(&RayActor, Option<GridPlace>, bool)> {
-        self.bounds(number, viewport, camera);
-        let slot = self.slot(number)?;
-        let from = match camera.eye() {
-            Some(_) => slot.view.eye,
-            None => slot.actor.place(origin),
-        };
-        Some((&slot.actor, from, slot.view.beyond_near))
+    ) -> Option<(&RayActor, Option<&GridPlace>)> {
+        let slot = self.viewed(number, viewport, camera)?;
+        Some((&slot.actor, slot.view.eye.as_ref()))
     }
 
     /// How many there are.
     pub(super) fn count(&self) -> u16 {
         self.scene.actor_count()
     }
+}
+
+/// Finds how a viewport's camera sees an actor.
+#[inline(never)]
+fn look(scene: &Scene<'_>, slot: &mut RaySlot, viewport: u16, camera: &RayCamera) {
+    let actor = &slot.actor;
+    let bounds = if actor.radius == 0 {
+        Rect::of_size(0, 0)
+    } else {
+        on_screen(scene, actor, camera)
+    };
+    slot.view = View {
+        viewport: viewport + 1,
+        bounds,
+        eye: camera.eye().and_then(|eye| actor.place(eye)),
+    };
 }
 
 #[inline(never)]
@@ -193,6 +201,7 @@ fn fill(scene: &Scene<'_>, pose: &Pose<'_>, number: u16, out: &mut RaySlot) {
 }
 
 /// Where a camera sees an actor: what holds its sphere and its box.
+#[inline(never)]
 fn on_screen(scene: &Scene<'_>, actor: &RayActor, camera: &RayCamera) -> Rect {
     let round = camera.bounds(actor.centre, actor.radius);
     let Some(corners) = actor.corners(scene) else {

@@ -2,20 +2,19 @@
 //! are as exact as others (Haines, Günther and Akenine-Möller, "Precision improvements
 //! for ray/sphere intersection", Ray Tracing Gems, 2019).
 
-use super::actor::RayActor;
+use super::actor::{RayActor, plus};
 use super::ray::{FAR, Ray, between};
+use super::surface::Surface;
 use super::triangle::Faces;
-use crate::math::{Scaled, Unit3, mul_high, mul_q30, root, square, unit};
+use crate::math::{Scaled, Unit3, mul_high, mul_q30, root, square, unit, unit_vector};
 
 /// Where a ray meets a ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct BallHit {
     /// Raw world bits along the ray.
     pub distance: u32,
-    /// The normal, outward.
-    pub normal: Unit3,
-    /// The place, raw world bits.
-    pub place: [i32; 3],
+    /// From the centre to the place, in raw world bits; of an ellipsoid, in its space.
+    to_surface: [i32; 3],
     /// Whether it is seen from inside.
     pub back: bool,
 }
@@ -186,34 +185,37 @@ impl RayActor {
             (shown && within(distance)).then_some((which, end, distance))
         });
         let (which, end, distance) = found.next()?;
-        let to_surface = chord.radius_to(end, direction);
-        let normal = match self.shape {
-            crate::scene::Shape::Ellipsoid { rows, .. } => {
-                let (own, _) = unit(to_surface)?;
-                // By the transpose of what brings places there.
-                let [[a, b, c], [d, e, f], [g, h, i]] = rows;
-                let [x, y, z] = own;
-                let columns = [[a, d, g], [b, e, h], [c, f, i]];
-                let in_grid = columns
-                    .map(|[a, b, c]| (mul_high(a, x) + mul_high(b, y) + mul_high(c, z)) >> 2);
-                self.direction_to_world(unit(in_grid)?.0).map(|c| c << 2)
-            }
-            _ => unit(to_surface)?.0,
-        };
-        let place = if unit_bits.is_some() {
-            ray.at(distance)
-        } else {
-            let mut place = self.centre;
-            for (c, r) in place.iter_mut().zip(to_surface) {
-                *c = c.saturating_add(r);
-            }
-            place
-        };
         Some(BallHit {
             distance,
-            normal,
-            place,
+            to_surface: chord.radius_to(end, direction),
             back: which == 1,
+        })
+    }
+
+    /// The surface there.
+    #[inline(never)]
+    pub(super) fn ball_surface(&self, ray: &Ray, hit: &BallHit) -> Option<Surface> {
+        let (normal, place) = if let crate::scene::Shape::Ellipsoid { rows, .. } = &self.shape {
+            let own = unit_vector(hit.to_surface)?;
+            // By the transpose of what brings places there.
+            let [[a, b, c], [d, e, f], [g, h, i]] = *rows;
+            let [x, y, z] = own;
+            let columns = [[a, d, g], [b, e, h], [c, f, i]];
+            let in_grid =
+                columns.map(|[a, b, c]| (mul_high(a, x) + mul_high(b, y) + mul_high(c, z)) >> 2);
+            let normal = self.direction_to_world(unit_vector(in_grid)?);
+            (normal.map(|c| c << 2), ray.at(hit.distance))
+        } else {
+            let place = plus(self.centre, hit.to_surface);
+            (unit_vector(hit.to_surface)?, place)
+        };
+        Some(Surface {
+            place,
+            face: normal,
+            normal,
+            tint: None,
+            coordinates: None,
+            back: hit.back,
         })
     }
 

@@ -20,19 +20,42 @@ pub(super) struct TileRays {
     pub up: i32,
 }
 
-/// See the module. A place that is `v` off the eye is seen `x.v / z.v * 2^up` pixels to
-/// the right of the tile's middle, and `y.v / z.v * 2^up` below.
+/// Where places are seen: one that is `v` off the eye is `x.v / z.v * 2^up` pixels to the
+/// right of the tile's middle, and `y.v / z.v * 2^up` below.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Beam {
-    /// The eye.
-    pub from: GridPlace,
+pub(super) struct Projection {
     /// 30 bits, `x` and `y` of one scale.
     pub x: [i32; 3],
     pub y: [i32; 3],
     pub z: [i32; 3],
     pub up: i32,
+}
+
+/// See the module.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Beam {
+    /// The eye.
+    pub from: GridPlace,
+    pub screen: Projection,
     /// The sides' normals, which point inward, 30 bits.
     sides: [[i32; 3]; 4],
+}
+
+impl Projection {
+    /// Of a tile whose rays are given as [`TileRays`] has them, in any space; `None` if they
+    /// are too narrow or too wide for its numbers.
+    #[inline(never)]
+    pub(super) fn new([middle, across, down]: [[i32; 3]; 3], rays_up: i32) -> Option<Self> {
+        // A place is a sum of the three: the parts are by Cramer's rule, whose divisor
+        // is the same for all.
+        let (z, z_up) = narrowed(cross(across, down), 0)?;
+        let (x, y) = (cross(down, middle), cross(middle, across));
+        let most = bits(&x).max(bits(&y));
+        let (x, x_up) = narrowed(x, most)?;
+        let (y, _) = narrowed(y, most)?;
+        let up = x_up - z_up + rays_up;
+        (-12..=16).contains(&up).then_some(Self { x, y, z, up })
+    }
 }
 
 impl Beam {
@@ -45,19 +68,9 @@ impl Beam {
         rays: &TileRays,
         [width, height]: [u16; 2],
     ) -> Option<Self> {
-        let [middle, across, down] =
-            [rays.middle, rays.across, rays.down].map(|v| actor.direction(v));
-        // A place is a sum of the three: the parts are by Cramer's rule, whose divisor
-        // is the same for all.
-        let (z, z_up) = narrowed(cross(across, down), 0)?;
-        let (x, y) = (cross(down, middle), cross(middle, across));
-        let most = bits(&x).max(bits(&y));
-        let (x, x_up) = narrowed(x, most)?;
-        let (y, _) = narrowed(y, most)?;
-        let up = x_up - z_up + rays.up;
-        if !(-12..=16).contains(&up) {
-            return None;
-        }
+        let ways = [rays.middle, rays.across, rays.down].map(|v| actor.direction(v));
+        let screen = Projection::new(ways, rays.up)?;
+        let Projection { x, y, z, up } = screen;
         let side = |v: [i32; 3], size: u16, sign: i64| {
             let mut normal = [0; 3];
             for ((n, v), z) in normal.iter_mut().zip(v).zip(z) {
@@ -68,10 +81,7 @@ impl Beam {
         };
         Some(Self {
             from,
-            x,
-            y,
-            z,
-            up,
+            screen,
             sides: [
                 side(x, width, 1)?,
                 side(x, width, -1)?,

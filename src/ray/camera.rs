@@ -22,27 +22,30 @@ pub(super) struct RayCamera {
     perspective: bool,
     eye: [i32; 3],
     sight: Unit3,
-    /// In the middle of pixel (0, 0), [`FINE`] fractional bits, or [`FINE_PLACE`] of a
-    /// raw bit.
+    /// In the middle of pixel (0, 0): of directions the upper half has 30 bits, of places
+    /// there are [`FINE_PLACE`] fractional bits of a raw bit.
     first: [i64; 3],
     /// Changes a pixel to the right and down.
     across: [i64; 3],
     down: [i64; 3],
-    /// Right shift that brings directions to 30 bits.
+    /// Right shift that brought directions of [`FINE`] fractional bits to 30 bits.
     shift: u32,
     /// Distances along the line of sight, raw world bits.
     near: i64,
     far: i64,
+    /// Between these distances along any ray it is between the planes.
+    within: [u32; 2],
     depth: DepthMap,
     frame: ViewFrame,
 }
 
-/// A camera's ray.
+/// A camera's ray, not clipped yet.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cast {
     pub ray: Ray,
-    /// Distance along the line of sight for one along the ray, below 2^32.
-    cosine: u32,
+    /// Of a perspective, distance along the line of sight for one along the ray, times
+    /// `2^-(FINE - shift)`.
+    per_length: Scaled,
 }
 
 impl RayCamera {
@@ -102,28 +105,56 @@ impl RayCamera {
             })
         });
         let bits = 64 - corners.iter().fold(1, |m, c| m | c).leading_zeros();
+        let shift = bits.saturating_sub(30);
+        // To the upper half.
+        let upper = |v: [i64; 3]| {
+            if frame.perspective {
+                v.map(|c| c << (32 - shift.min(32)))
+            } else {
+                v
+            }
+        };
+        let (first, across, down) = (upper(first), upper(across), upper(down));
         let near = if frame.perspective {
             frame.near
         } else {
             frame.near.clamp(-(1 << 30), 1 << 30)
         };
-        Self {
+        let mut camera = Self {
             perspective: frame.perspective,
             eye: frame.eye.to_bits(),
             sight,
             first,
             across,
             down,
-            shift: bits.saturating_sub(30),
+            shift,
             near,
             far: frame.far,
+            within: [FAR, 0],
             frame: *frame,
             depth: DepthMap::new(
                 frame,
                 16,
                 frame.near.clamp(i32::MIN.into(), i32::MAX.into()) as i32,
             ),
+        };
+        if frame.perspective {
+            camera.within = camera.between_planes();
         }
+        camera
+    }
+
+    /// See [`RayCamera::is_within`]: the near plane is farthest along a ray in a corner.
+    fn between_planes(&self) -> [u32; 2] {
+        let (width, height) = (self.frame.width.into(), self.frame.height.into());
+        let mut nearest = 0;
+        for (column, row) in [(-1, -1), (width, -1), (-1, height), (width, height)] {
+            let mut cast = self.cast(&self.at(column, row));
+            self.clip(&mut cast);
+            nearest = cast.ray.near.max(nearest);
+        }
+        let far = self.far.clamp(0, FAR.into()) as u32;
+        [nearest + (nearest >> 10) + 64, far - (far >> 10)]
     }
 
     /// Where all rays start, of a perspective.
@@ -148,19 +179,19 @@ impl RayCamera {
         let up = 30 - bits as i32;
         let change = |c: i64| if up >= 0 { c << up } else { c >> -up } as i32;
         Some(TileRays {
-            middle: middle.map(|c| (c >> self.shift) as i32),
+            middle: middle.map(|c| (c >> 32) as i32),
             across: self.across.map(change),
             down: self.down.map(change),
-            up: up + self.shift as i32,
+            up: up + 32,
         })
     }
 
-    /// Whether all of a sphere, raw world bits, is surely beyond the near plane.
-    pub(super) fn is_beyond_near(&self, centre: [i32; 3], radius: i32) -> bool {
-        let off = Vec3::from_bits(centre).minus(self.frame.eye);
-        let [.., back] = self.frame.rotation.apply_wide(off);
-        let near = self.near.max(0);
-        -back - i64::from(radius) > near + (near >> 10) + 64
+    /// Whether what is met at a distance along a ray, and nothing nearer, is surely between
+    /// a perspective's near plane and its far one.
+    #[inline(always)]
+    pub(super) fn is_within(&self, distance: u32) -> bool {
+        let [nearest, farthest] = self.within;
+        nearest < distance && distance < farthest
     }
 
     /// The same as [`RayCamera::bounds`]; `None` of what reaches before the near
@@ -220,20 +251,45 @@ impl RayCamera {
         }
     }
 
-    /// The ray through a pixel; `offset` is from its middle, in 2^-16 pixels.
+    /// What changes linearly, in the middle of a pixel.
     #[inline(always)]
-    pub(super) fn cast(&self, column: i32, row: i32, offset: [i32; 2]) -> Cast {
-        let [dx, dy] = offset.map(i64::from);
+    pub(super) fn at(&self, column: i32, row: i32) -> [i64; 3] {
         let mut at = self.first;
         for ((at, x), y) in at.iter_mut().zip(self.across).zip(self.down) {
             *at += x * i64::from(column) + y * i64::from(row);
-            if offset != [0; 2] {
-                *at += ((x * dx) >> 16) + ((y * dy) >> 16);
-            }
         }
+        at
+    }
+
+    /// The same a pixel to the right.
+    #[inline(always)]
+    pub(super) fn right_of(&self, at: &[i64; 3]) -> [i64; 3] {
+        let mut right = *at;
+        for (c, x) in right.iter_mut().zip(self.across) {
+            *c += x;
+        }
+        right
+    }
+
+    /// The same `offset` away, in 2^-16 pixels.
+    pub(super) fn beside(&self, at: &[i64; 3], offset: [i32; 2]) -> [i64; 3] {
+        let [dx, dy] = offset.map(i64::from);
+        let mut beside = *at;
+        for ((c, x), y) in beside.iter_mut().zip(self.across).zip(self.down) {
+            // In two parts: all of it would be too wide.
+            let part = |c: i64, d: i64| (c >> 16) * d + (((c & 0xffff) * d) >> 16);
+            *c += part(x, dx) + part(y, dy);
+        }
+        beside
+    }
+
+    /// The ray through a place of the picture. Where it is clipped is found by
+    /// [`RayCamera::clip`].
+    #[inline(always)]
+    pub(super) fn cast(&self, at: &[i64; 3]) -> Cast {
         if !self.perspective {
             let mut origin = moved(self.eye, self.sight, self.near as i32);
-            for (c, at) in origin.iter_mut().zip(at) {
+            for (c, at) in origin.iter_mut().zip(*at) {
                 let aside = (at >> FINE_PLACE).clamp(i32::MIN.into(), i32::MAX.into());
                 *c = c.saturating_add(aside as i32);
             }
@@ -246,27 +302,38 @@ impl RayCamera {
                     far: far.clamp(0, FAR.into()) as u32,
                     on: 0,
                 },
-                cosine: u32::MAX,
+                per_length: Scaled::ZERO,
             };
         }
-        let direction = at.map(|c| (c >> self.shift) as i32);
+        let direction = at.map(|c| (c >> 32) as i32);
         let (direction, per_length) = unit(direction).unwrap_or((self.sight, Scaled::new(1, 0)));
-        // The part along the line of sight is 2^(FINE - shift).
-        let cosine = Scaled::new(
-            per_length.mantissa(),
-            per_length.exponent() + FINE as i32 - self.shift as i32,
-        );
-        let cosine = cosine.fixed(32);
-        let recip = reciprocal(cosine);
         Cast {
             ray: Ray {
                 origin: self.eye,
                 direction,
-                near: along(self.near, recip),
-                far: along(self.far, recip),
+                near: 0,
+                far: FAR,
                 on: 0,
             },
-            cosine,
+            per_length,
+        }
+    }
+
+    /// Distance along the line of sight for one along a perspective's ray, below 2^32.
+    #[inline(always)]
+    fn cosine(&self, cast: &Cast) -> u32 {
+        // The part along the line of sight is 2^(FINE - shift).
+        let bits = FINE - self.shift.min(FINE) + 32;
+        cast.per_length.fixed(bits)
+    }
+
+    /// Has a ray begin at the near plane and end at the far one.
+    #[inline(never)]
+    pub(super) fn clip(&self, cast: &mut Cast) {
+        if self.perspective {
+            let recip = reciprocal(self.cosine(cast));
+            cast.ray.near = along(self.near, recip);
+            cast.ray.far = along(self.far, recip);
         }
     }
 
@@ -274,7 +341,7 @@ impl RayCamera {
     #[inline(always)]
     pub(super) fn depth(&self, cast: &Cast, distance: u32) -> u16 {
         let sight = if self.perspective {
-            mul_high_u(distance, cast.cosine) as i32
+            mul_high_u(distance, self.cosine(cast)) as i32
         } else {
             (i64::from(distance) + self.near).clamp(i32::MIN.into(), i32::MAX.into()) as i32
         };

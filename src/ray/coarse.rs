@@ -5,11 +5,17 @@ use super::ray::Ray;
 
 /// Fractional bits of a direction.
 const BITS: u32 = 14;
-/// Places are below this, in coarse units.
-const REACH: i32 = 1 << 14;
-/// What roundings may take: one each of both places and the radius, 2 of a direction at
-/// the farthest, 5 of the products.
-const MARGIN: i32 = 12;
+/// Places are below 2 to this, in coarse units.
+const PLACE_BITS: u32 = 13;
+const REACH: i32 = 1 << PLACE_BITS;
+/// What is added to radii. A place between a ray's start and a sphere's centre is off by
+/// 1 a component, the way along the ray to the point nearest to the centre by 4.3 (of that
+/// 1.8, of the direction 1.5, of rounding 1): what is tested, the square of the distance to
+/// the centre less that of the way, by 12 times the way and 3.5 times the radius and 54,
+/// and the way itself by less than this.
+const MARGIN: i32 = 8;
+/// See there.
+const SLACK: i32 = 12;
 
 /// A sphere that holds an actor, in units of the frame.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +44,11 @@ pub(super) struct Candidates {
 struct CoarseRay {
     origin: [i32; 3],
     direction: [i32; 3],
+    /// How far along the direction the origin is, 14 fractional bits.
+    start: i32,
     far: i32,
+    /// It is as thick as this to all sides.
+    around: i32,
 }
 
 impl Unit {
@@ -47,8 +57,13 @@ impl Unit {
     pub(super) fn of(reach: u32) -> Self {
         let bits = 32 - reach.leading_zeros();
         Self {
-            shift: bits.saturating_sub(BITS),
+            shift: bits.saturating_sub(PLACE_BITS),
         }
+    }
+
+    /// Raw world bits of it, as a power of two.
+    pub(super) fn shift(self) -> u32 {
+        self.shift
     }
 
     /// A sphere, raw world bits; of radius 0: nothing.
@@ -64,33 +79,37 @@ impl Unit {
         }
     }
 
-    /// A ray; `None` if it starts too far away.
+    /// A ray that is as thick as `around`; `None` if that is too much, or if it starts too
+    /// far away.
     #[inline(always)]
-    fn ray(self, ray: &Ray) -> Option<CoarseRay> {
+    fn ray(self, ray: &Ray, around: u32) -> Option<CoarseRay> {
         let origin = ray.origin.map(|c| c >> self.shift);
         let near = |c: i32| c.wrapping_add(REACH) as u32 <= 2 * REACH as u32;
         let [x, y, z] = origin;
-        if !(near(x) && near(y) && near(z)) {
+        let around = (around >> self.shift) as i32 + i32::from(around != 0);
+        if !(near(x) && near(y) && near(z) && around <= REACH / 2) {
             return None;
         }
+        let direction = ray.direction.map(|c| (c + (1 << 15)) >> (30 - BITS));
+        let [dx, dy, dz] = direction;
         Some(CoarseRay {
             origin,
-            direction: ray.direction.map(|c| (c + (1 << 15)) >> (30 - BITS)),
+            direction,
+            start: x * dx + y * dy + z * dz,
             // Farther than any place that is told apart.
             far: (ray.far >> self.shift).min(1 << 20) as i32 + MARGIN,
+            around,
         })
     }
 }
 
 impl Candidates {
-    /// Of `count` actors, the first of which have spheres.
+    /// Of `count` actors, the first of which have spheres, those that a ray may meet that is
+    /// as thick as `around`, raw world bits.
     #[inline(never)]
-    pub(super) fn of(ray: &Ray, unit: Unit, spheres: &[Sphere], count: u16) -> Self {
-        let Some(ray) = unit.ray(ray) else {
-            return Self {
-                bits: 0,
-                others: (0, count),
-            };
+    pub(super) fn of(ray: &Ray, around: u32, unit: Unit, spheres: &[Sphere], count: u16) -> Self {
+        let Some(ray) = unit.ray(ray, around) else {
+            return Self::all(count);
         };
         let first = spheres.len().min(count.min(32).into());
         let (mut bits, mut bit) = (0, 1u32);
@@ -104,6 +123,42 @@ impl Candidates {
             bits,
             others: (first as u16, count),
         }
+    }
+
+    /// All of `count` actors.
+    pub(super) fn all(count: u16) -> Self {
+        Self {
+            bits: 0,
+            others: (0, count),
+        }
+    }
+
+    /// None at all.
+    pub(super) const NONE: Self = Self {
+        bits: 0,
+        others: (0, 0),
+    };
+
+    /// Whether there is none.
+    #[inline(always)]
+    pub(super) fn is_empty(&self) -> bool {
+        let (next, end) = self.others;
+        self.bits == 0 && next >= end
+    }
+
+    /// All but one, if that has a sphere.
+    #[inline(always)]
+    pub(super) fn without(mut self, number: u16) -> Self {
+        self.bits &= !1u32.checked_shl(number.into()).unwrap_or(0);
+        self
+    }
+
+    /// The next actor that has a sphere.
+    #[inline(always)]
+    pub(super) fn next_sphere(&mut self) -> Option<u16> {
+        let number = self.bits.trailing_zeros() as u16;
+        self.bits &= self.bits.wrapping_sub(1);
+        (number < 32).then_some(number)
     }
 
     /// The next actor, and whether its sphere is still to be tried.
@@ -129,22 +184,29 @@ impl Sphere {
     /// Whether a ray surely passes by, or ends before it.
     #[inline(always)]
     fn missed(&self, ray: &CoarseRay) -> bool {
-        let radius = i32::from(self.radius);
-        let ([cx, cy, cz], [ox, oy, oz]) = (self.centre.map(i32::from), ray.origin);
-        // 15 bits and 14, three times: below 2^31.
-        let (x, y, z) = (cx - ox, cy - oy, cz - oz);
+        let [cx, cy, cz] = self.centre.map(i32::from);
         let [dx, dy, dz] = ray.direction;
-        let middle = (x * dx + y * dy + z * dz) >> BITS;
-        let beside = |c: i32, d: i32| {
-            let off = ((middle * d) >> BITS) - c;
-            (off + radius) as u32 > 2 * radius as u32
-        };
-        middle < -radius
-            || beside(x, dx)
-            || beside(y, dy)
-            || beside(z, dz)
-            || middle - radius > ray.far
-            || radius == 0
+        // 13 bits and 14, six times: below 2^30.
+        let middle = (cx * dx + cy * dy + cz * dz - ray.start) >> BITS;
+        let radius = i32::from(self.radius) + ray.around;
+        if middle < -radius || self.radius == 0 {
+            return true;
+        }
+        self.is_beside(ray, middle, radius)
+    }
+
+    /// The same of what is not behind the ray, whose point nearest to the centre is at
+    /// `middle`.
+    #[inline(always)]
+    fn is_beside(&self, ray: &CoarseRay, middle: i32, radius: i32) -> bool {
+        let ([cx, cy, cz], [ox, oy, oz]) = (self.centre.map(i32::from), ray.origin);
+        // 14 bits squared, three times: below 2^30.
+        let (x, y, z) = (cx - ox, cy - oy, cz - oz);
+        if middle - radius > ray.far {
+            return true;
+        }
+        let off = x * x + y * y + z * z - middle * middle;
+        off - radius * radius > SLACK * middle.abs()
     }
 }
 

@@ -1,9 +1,10 @@
 //! Which pixels of a tile a triangle may cover: a screen's edge functions, with a margin
 //! for all that roundings take. What is exact follows for those pixels only.
 
-use super::beam::Beam;
+use super::beam::{Beam, Projection, TileRays};
+use super::ray::between;
 use super::triangle::Faces;
-use crate::math::{mul_high, reciprocal};
+use crate::math::{Rect, mul_high, reciprocal};
 
 /// Columns and rows of a tile.
 pub(super) const TILE: usize = 8;
@@ -12,6 +13,8 @@ pub(super) const FINE: i32 = 5;
 /// What a corner may be off: three products rounded down and one more, and once more
 /// where it is halved.
 const OFF: i32 = 2;
+/// What a rectangle's corner may be off besides.
+const CORNER: i32 = 1 << (FINE - 2);
 /// Bits of a corner's place, so that edge functions fit 30.
 const PLACE_BITS: u32 = 13;
 
@@ -29,7 +32,8 @@ pub(super) fn cover(
     bits: &mut Bits,
     bit: u32,
 ) -> bool {
-    let [Some(a), Some(b), Some(c)] = corners.map(|corner| on_screen(beam, corner)) else {
+    let screen = &beam.screen;
+    let [Some(a), Some(b), Some(c)] = corners.map(|corner| on_screen(screen, corner)) else {
         return all(bits, bit);
     };
     cover_places(&[a, b, c], faces, (size, 0), bits, bit)
@@ -132,6 +136,61 @@ pub(super) fn cover_places(
     any != 0
 }
 
+/// Sets a rectangle's bit in all pixels of a camera's tile that it may cover; its corners
+/// are raw world bits, two of them opposite.
+#[inline(never)]
+pub(super) fn cover_rectangle(
+    rays: &TileRays,
+    eye: [i32; 3],
+    corners: &[[i32; 3]; 8],
+    size: [u16; 2],
+    bits: &mut Bits,
+    bit: u32,
+) -> bool {
+    let Some(beam) = Projection::new([rays.middle, rays.across, rays.down], rays.up) else {
+        return all(bits, bit);
+    };
+    // What corners are rounded by shows where they are near.
+    const NEAREST: u32 = 1 << 14;
+    let [a, b, c, d, ..] = *corners;
+    let offs = [a, b, c, d].map(|corner| between(corner, eye));
+    let size_of = |off: [i32; 3]| off.into_iter().fold(0, |m, c| m | c.unsigned_abs());
+    let most = offs.iter().fold(0, |m, off| m | size_of(*off));
+    if offs.iter().any(|off| size_of(*off) < NEAREST) {
+        return all(bits, bit);
+    }
+    // All to 29 bits.
+    let up = most.leading_zeros() as i32 - 3;
+    let places = offs.map(|off| {
+        let fine = off.map(|c| if up >= 0 { c << up } else { c >> -up });
+        on_screen(&beam, fine)
+    });
+    let [Some(a), Some(b), Some(c), Some(d)] = places else {
+        return all(bits, bit);
+    };
+    let size = (size, CORNER);
+    let first = cover_places(&[a, b, c], Faces::BOTH, size, bits, bit);
+    cover_places(&[b, c, d], Faces::BOTH, size, bits, bit) | first
+}
+
+/// Sets a bit in all pixels of a tile that lie within bounds.
+#[inline(never)]
+pub(super) fn cover_bounds(bounds: &Rect, tile: &Rect, bits: &mut Bits, bit: u32) -> bool {
+    let from = |low: u16, tile: u16| usize::from(low.saturating_sub(tile));
+    let (left, top) = (from(bounds.left, tile.left), from(bounds.top, tile.top));
+    let (right, bottom) = (
+        from(bounds.right.min(tile.right), tile.left),
+        from(bounds.bottom.min(tile.bottom), tile.top),
+    );
+    let rows = bits.chunks_exact_mut(TILE).take(bottom).skip(top);
+    for row in rows {
+        for pixel in row.iter_mut().take(right).skip(left) {
+            *pixel |= bit;
+        }
+    }
+    left < right && top < bottom
+}
+
 fn all(bits: &mut Bits, bit: u32) -> bool {
     for pixel in bits {
         *pixel |= bit;
@@ -142,7 +201,7 @@ fn all(bits: &mut Bits, bit: u32) -> bool {
 /// Where something that is `v` off the eye is seen, in `2^-FINE` pixels from the tile's
 /// middle, off by 2 at most; `None` if it is not far enough ahead to tell.
 #[inline(always)]
-fn on_screen(beam: &Beam, [vx, vy, vz]: [i32; 3]) -> Option<[i32; 2]> {
+fn on_screen(beam: &Projection, [vx, vy, vz]: [i32; 3]) -> Option<[i32; 2]> {
     let along = |[x, y, z]: [i32; 3]| mul_high(x, vx) + mul_high(y, vy) + mul_high(z, vz);
     let z = along(beam.z);
     if z >> (beam.up.max(0) + 8) <= 0 {

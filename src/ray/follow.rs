@@ -4,7 +4,7 @@
 use super::light::Seed;
 use super::nearest::Met;
 use super::ray::{FAR, Ray, moved};
-use super::trace::{Local, ONE, Tracer};
+use super::trace::{Local, OF_OTHERS, ONE, Tracer};
 use crate::light::Lit;
 use crate::math::{Unit3, dot};
 use crate::scene::Optics;
@@ -62,14 +62,7 @@ impl WaitingRays {
 impl Tracer<'_> {
     /// The colour of a surface and of all rays that go on from it.
     #[inline(never)]
-    pub(super) fn go_on(
-        &mut self,
-        ray: &Ray,
-        actor: u16,
-        local: &Local,
-        met: &Met,
-        seed: Seed,
-    ) -> Lit {
+    pub(super) fn go_on(&mut self, ray: &Ray, local: &Local, met: &Met, seed: Seed) -> Lit {
         let mut sums = [0; 3];
         let first = Waiting {
             ray: *ray,
@@ -77,18 +70,20 @@ impl Tracer<'_> {
             left: self.settings.depth,
         };
         self.waiting.count = 0;
-        self.add(&first, actor, local, met, &mut sums);
+        self.add(&first, local, met, &mut sums);
         while let Some(now) = self.waiting.pop() {
             if now.left == 0 {
                 self.add_background(now.ray.direction, now.weight, &mut sums);
                 continue;
             }
-            let Some((actor, met)) = self.nearest(&now.ray) else {
+            let mut met = Met::nothing(now.ray.far);
+            self.nearest(&now.ray, &mut met);
+            if !met.is_something() {
                 self.add_background(now.ray.direction, now.weight, &mut sums);
                 continue;
-            };
-            if let Some(local) = self.local(&now.ray, actor, &met, seed) {
-                self.add(&now, actor, &local, &met, &mut sums);
+            }
+            if let Some(local) = &self.local(&now.ray, &met, seed, OF_OTHERS) {
+                self.add(&now, local, &met, &mut sums);
             }
         }
         sums.map(|c| ((c + (1 << 15)) >> 16).min(255 << 6) as u16)
@@ -96,15 +91,18 @@ impl Tracer<'_> {
 
     /// Adds the colour of a surface by itself; the rays that go on from it wait.
     #[inline(never)]
-    fn add(&mut self, now: &Waiting, actor: u16, local: &Local, met: &Met, sums: &mut [u32; 3]) {
+    fn add(&mut self, now: &Waiting, local: &Local, met: &Met, sums: &mut [u32; 3]) {
+        let actor = met.actor;
         let optics = self.actors.get(actor).map_or(Optics::PLAIN, |a| a.optics);
         let part = |weight: u32, of: u32| (weight * (of >> 1)) >> 15;
         let mut mirror = part(now.weight, optics.reflectivity);
         let rest = now.weight - mirror.min(now.weight);
         let own = part(rest, optics.opacity);
         let mut through = rest - own.min(rest);
-        add(sums, self.colour(local), own);
-        let Some((facing, place, back)) = local.facing else {
+        if own != 0 {
+            add(sums, self.colour(local), own);
+        }
+        let Some((facing, place, back)) = &local.facing else {
             return;
         };
         let Some(which) = self.actors.get(actor) else {
@@ -119,7 +117,7 @@ impl Tracer<'_> {
             let outward = facing.outward();
             waiting.push(Waiting {
                 ray: Ray {
-                    origin: moved(place, outward, if out { lift } else { -lift }),
+                    origin: moved(*place, outward, if out { lift } else { -lift }),
                     direction,
                     near: 0,
                     far: FAR,
@@ -134,7 +132,7 @@ impl Tracer<'_> {
                 push(now.ray.direction, through, false);
             } else {
                 // Q28 of the index on this side over that beyond.
-                let ratio = if back {
+                let ratio = if *back {
                     (optics.index << 12) as i32
                 } else {
                     inverse(optics.index)

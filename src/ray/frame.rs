@@ -4,7 +4,7 @@ use super::actors::RayActors;
 use super::progressive::Pass;
 use super::scratch::RayWorkspace;
 use super::tile::Drawing;
-use super::trace::Tracer;
+use super::trace::{Materials, Tracer};
 use crate::display::Display;
 use crate::frame::Band;
 use crate::light::Lit;
@@ -112,17 +112,20 @@ pub(super) fn draw_pass<D: Display, W: Watch>(
     // 1. Lights; actors follow when first needed.
     work.lights.set(scene);
     work.windows.clear();
+    work.shades.clear();
     let mut tracer = Tracer {
         scene,
         actors: RayActors::new(scene, pose, work.slots, work.spheres),
         lights: work.lights,
         windows: work.windows,
+        shades: work.shades,
         waiting: work.waiting,
-        material: None,
+        materials: Materials::NONE,
         settings: scene.ray_settings(),
         palette,
         background: scene.viewport_background(0),
     };
+    let parallel = tracer.settings.shadows && tracer.lights.any_directional();
     display.begin(&palette)?;
     let mut top = 0;
     while top < height {
@@ -146,6 +149,7 @@ pub(super) fn draw_pass<D: Display, W: Watch>(
                 dither: scene.dither(),
                 stats: &mut stats,
                 pass: &mut *pass,
+                parallel,
             };
             drawing.draw(&mut part);
         }

@@ -3,7 +3,7 @@
 use super::actors::RayActors;
 use super::beam::Beam;
 use super::camera::RayCamera;
-use super::coverage::{Bits, TILE, cover};
+use super::coverage::{Bits, TILE, cover, cover_bounds, cover_rectangle};
 use super::hierarchy::Hierarchy;
 use super::pause::Pause;
 use crate::math::Rect;
@@ -32,8 +32,6 @@ pub(super) struct Gathered {
     /// Of tiles and their quarters: how long they are not gathered where they have too many
     /// triangles.
     pauses: [Pause; 2],
-    /// There are actors that are no triangles.
-    others: bool,
 }
 
 /// What one pixel's ray may meet.
@@ -54,7 +52,6 @@ impl Gathered {
         left: [0; RAY_STACK],
         count: 0,
         pauses: [Pause::NONE; 2],
-        others: false,
     };
 
     /// The same as [`Gathered::gather`]; not tried where tiles of this `size` (a number in
@@ -98,19 +95,40 @@ impl Gathered {
             return false;
         };
         self.bits.fill(0);
-        self.others = false;
         let size = [tile.width(), tile.height()];
         let mut count = 0;
         for number in listed {
-            let Some((actor, from, _)) = actors.seen(*number, viewport, camera, eye) else {
+            let bounds = actors.bounds(*number, viewport, camera);
+            let Some((actor, from)) = actors.seen(*number, viewport, camera) else {
                 return false;
             };
-            let Shape::Triangles { first_node, .. } = actor.shape else {
-                self.others = true;
-                continue;
+            let bit = 1u32.checked_shl(count as u32).unwrap_or(0);
+            let first_node = match actor.shape {
+                Shape::Triangles { first_node, .. } => first_node,
+                shape => {
+                    let covers = match shape {
+                        Shape::Rectangle { half, .. } => {
+                            let sides = actor.rectangle_corners(half);
+                            cover_rectangle(&rays, eye, &sides, size, &mut self.bits, bit)
+                        }
+                        _ => cover_bounds(&bounds, tile, &mut self.bits, bit),
+                    };
+                    if covers {
+                        let Some(slot) = self.list.get_mut(count) else {
+                            return false;
+                        };
+                        *slot = Candidate {
+                            meshlet: 0,
+                            actor: *number,
+                            triangle: 0,
+                        };
+                        count += 1;
+                    }
+                    continue;
+                }
             };
             // From where it is too small to be seen, no ray meets it.
-            let Some(from) = from else { continue };
+            let Some(&from) = from else { continue };
             let Some(beam) = Beam::new(actor, from, &rays, size) else {
                 return false;
             };
@@ -144,8 +162,9 @@ impl Gathered {
     }
 
     /// Whether a pixel's ray meets nothing.
+    #[inline(always)]
     pub(super) fn nothing_at(&self, pixel: usize) -> bool {
-        !self.others && self.at(pixel).bits == 0
+        self.at(pixel).bits == 0
     }
 
     /// What a pixel's ray may meet.
@@ -158,9 +177,24 @@ impl Gathered {
 }
 
 impl<'a> Candidates<'a> {
-    /// Whether there are triangles of an actor.
-    pub(super) fn any(self, actor: u16) -> bool {
-        self.of(actor).next().is_some()
+    /// Whether there is none.
+    #[inline(always)]
+    pub(super) fn is_empty(&self) -> bool {
+        self.bits == 0
+    }
+
+    /// The next actor, which then is not here any more.
+    #[inline(always)]
+    pub(super) fn next_actor(&mut self) -> Option<u16> {
+        let mut first = None;
+        while self.bits != 0 {
+            let found = self.list.get(self.bits.trailing_zeros() as usize)?;
+            if *first.get_or_insert(found.actor) != found.actor {
+                break;
+            }
+            self.bits &= self.bits - 1;
+        }
+        first
     }
 
     /// The triangles of an actor: meshlet, and number in it.

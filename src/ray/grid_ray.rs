@@ -30,20 +30,20 @@ pub(super) struct GridRay {
 
 impl GridRay {
     /// A ray that starts at `from` in the actor's grid.
-    pub(super) fn new(actor: &RayActor, ray: &Ray, from: GridPlace) -> Self {
+    pub(super) fn new(actor: &RayActor, ray: &Ray, from: &GridPlace) -> Self {
         let direction = actor.direction(ray.direction);
         let [x, y, z] = direction.map(i32::unsigned_abs);
-        let axes = if x > y && x > z {
-            AXES[0]
+        let [dx, dy, dz] = direction;
+        let (axes, [sx, sy, along]) = if x > y && x > z {
+            (AXES[0], [dy, dz, dx])
         } else if y > z {
-            AXES[1]
+            (AXES[1], [dz, dx, dy])
         } else {
-            AXES[2]
+            (AXES[2], direction)
         };
-        let [sx, sy, along] = axes.map(|axis| component(&direction, axis));
-        let bits = along.unsigned_abs() | 1;
-        let lead = bits.leading_zeros() - 1;
-        let recip = reciprocal(bits << lead);
+        // 29 bits at most.
+        let recip = reciprocal(along.unsigned_abs() | 1);
+        let lead = recip.shift - 1;
         let slope = |c: i32| {
             // Q29, at most 1 but for roundings.
             const MOST: i32 = (1 << 29) - 1;
@@ -52,7 +52,7 @@ impl GridRay {
         };
         Self {
             axes,
-            from,
+            from: *from,
             shifts: [from.fraction, -from.fraction].map(|by| by.max(0) as u32),
             slopes: [slope(sx), slope(sy)],
             up: along >= 0,
@@ -60,13 +60,24 @@ impl GridRay {
         }
     }
 
-    /// A grid point's distance from the ray's start along one axis of the grid.
+    /// How far a grid point is off the ray's start.
     #[inline(always)]
-    pub(super) fn off(&self, axis: usize, steps: i32) -> i32 {
-        // One of the two is 0.
+    pub(super) fn off(&self, [x, y, z]: [i32; 3]) -> [i32; 3] {
         let [left, right] = self.shifts;
-        let scaled = steps.wrapping_shl(left) >> right.min(31);
-        scaled.wrapping_sub(component(&self.from.place, axis))
+        let right = right.min(31);
+        let [fx, fy, fz] = self.from.place;
+        let off = |steps: i32, from: i32| (steps.wrapping_shl(left) >> right).wrapping_sub(from);
+        [off(x, fx), off(y, fy), off(z, fz)]
+    }
+
+    /// What the grid's axes have, in the order of the sheared space's.
+    #[inline(always)]
+    pub(super) fn in_order<T>(&self, [x, y, z]: [T; 3]) -> [T; 3] {
+        match self.axes {
+            [.., 0] => [y, z, x],
+            [.., 1] => [z, x, y],
+            _ => [x, y, z],
+        }
     }
 
     /// A place, given as it is off the ray's start, in the sheared space.
@@ -103,11 +114,5 @@ impl GridRay {
 
 /// The orders of axes, by the third one.
 pub(super) const AXES: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
-
-/// A component by its axis, 0..=2.
-#[inline(always)]
-pub(super) fn component(v: &[i32; 3], axis: usize) -> i32 {
-    v.get(axis).copied().unwrap_or(0)
-}
 
 const _: () = assert!(GRID_HALF == 1 << 21);

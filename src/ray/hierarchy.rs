@@ -62,40 +62,47 @@ impl<'a> Hierarchy<'a> {
         range: (i32, i32),
     ) -> Option<TriangleHit> {
         match ray.axes {
-            [.., 0] => self.along::<0>(ray, faces, range, Wanted::Nearest).nearest,
-            [.., 1] => self.along::<1>(ray, faces, range, Wanted::Nearest).nearest,
-            _ => self.along::<2>(ray, faces, range, Wanted::Nearest).nearest,
+            [.., 0] => self.along::<0>(ray, faces, range).nearest,
+            [.., 1] => self.along::<1>(ray, faces, range).nearest,
+            _ => self.along::<2>(ray, faces, range).nearest,
         }
     }
 
     /// Whether a ray meets any triangle.
     #[inline(never)]
     pub(super) fn any(&self, ray: &GridRay, range: (i32, i32)) -> bool {
-        self.walk(ray, Faces::BOTH, range, Wanted::Any).count != 0
+        self.count_up_to(ray, range, Wanted::Any) != 0
     }
 
     /// How many triangles a ray meets.
     #[inline(never)]
     pub(super) fn count(&self, ray: &GridRay, range: (i32, i32)) -> u32 {
-        self.walk(ray, Faces::BOTH, range, Wanted::Count).count
+        self.count_up_to(ray, range, Wanted::Count)
+    }
+
+    /// How many triangles a ray meets, or whether any: in no order.
+    #[inline(always)]
+    fn count_up_to(&self, ray: &GridRay, range: (i32, i32), wanted: Wanted) -> u32 {
+        let mut way = Way::new(Faces::BOTH, range);
+        let mut left = [0; RAY_STACK];
+        self.walk_window(ray, [0; 2], range, &mut left, |leaf| {
+            self.leaf(ray, leaf, wanted, &mut way);
+            wanted != Wanted::Any || way.count == 0
+        });
+        way.count
     }
 
     /// The way of a ray whose third axis is known to the compiler, which then knows
     /// where everything is.
     #[inline(always)]
-    fn along<const THIRD: usize>(
-        &self,
-        ray: &GridRay,
-        faces: Faces,
-        range: (i32, i32),
-        wanted: Wanted,
-    ) -> Way {
+    fn along<const THIRD: usize>(&self, ray: &GridRay, faces: Faces, range: (i32, i32)) -> Way {
         let axes = AXES.get(THIRD).copied().unwrap_or(ray.axes);
-        self.walk(&GridRay { axes, ..*ray }, faces, range, wanted)
+        self.walk(&GridRay { axes, ..*ray }, faces, range)
     }
 
+    /// The way to the nearest triangle.
     #[inline(always)]
-    fn walk(&self, ray: &GridRay, faces: Faces, range: (i32, i32), wanted: Wanted) -> Way {
+    fn walk(&self, ray: &GridRay, faces: Faces, range: (i32, i32)) -> Way {
         let mut way = Way::new(faces, range);
         let mut left = [Left { word: 0, ahead: 0 }; RAY_STACK];
         let mut count = 0usize;
@@ -107,10 +114,7 @@ impl<'a> Hierarchy<'a> {
                     count = leave(&mut left, first, count, Left { word, ahead });
                 });
             } else if let Child::Leaf(leaf) = Child::from_word(word.to_le()) {
-                self.leaf(ray, leaf, wanted, &mut way);
-                if wanted == Wanted::Any && way.count != 0 {
-                    return way;
-                }
+                self.leaf(ray, leaf, Wanted::Nearest, &mut way);
             }
             // What comes after the nearest triangle so far is not looked at.
             word = loop {
@@ -126,20 +130,21 @@ impl<'a> Hierarchy<'a> {
     }
 
     /// Goes through all leaves that parallel rays may meet, which are up to `thick` to the
-    /// sides of this one along both axes and end after `nearest`; `false` if `leaf` said
+    /// sides of this one along both axes, within a range along them; `false` if `leaf` said
     /// so, and then ended there. `left` is for what is left for later.
+    #[inline(always)]
     pub(super) fn walk_window(
         &self,
         ray: &GridRay,
         thick: [i32; 2],
-        nearest: i32,
+        range: (i32, i32),
         left: &mut [u32; RAY_STACK],
         mut leaf: impl FnMut(Leaf) -> bool,
     ) -> bool {
         let (mut count, mut word) = (0, 0);
         loop {
             if word >> 31 == 0 {
-                self.node((ray, thick), word, (nearest, i32::MAX), |word, _| {
+                self.node((ray, thick), word, range, |word, _| {
                     // The parser made sure that there is room.
                     if let Some(slot) = left.get_mut(count) {
                         *slot = word;
@@ -175,20 +180,15 @@ impl<'a> Hierarchy<'a> {
         let [o0, o1, o2, rest @ ..] = words;
         let origin = [*o0, *o1, *o2].map(|word| u32::from_le(word) as i32);
         let exponent = (origin[0] & 31) + ray.from.fraction;
-        let place = |axis: usize| ray.off(axis, origin.get(axis).copied().unwrap_or(0) >> 5);
-        let [kx, ky, kz] = ray.axes;
-        let (nx, ny, nz) = (place(kx), place(ky), place(kz));
+        let [nx, ny, nz] = ray.in_order(ray.off(origin.map(|c| c >> 5)));
         let [sx, sy] = ray.slopes;
         let x = (nx >> 1).wrapping_sub(mul_high(sx, nz));
         let y = (ny >> 1).wrapping_sub(mul_high(sy, nz));
-        // Of the bytes of all four boxes, by side and axis.
-        let sides = |axis: usize, high: usize| {
-            let word = rest.get((axis & 3) * 2 + high).copied().unwrap_or(0);
-            u32::from_le(word)
-        };
-        let (z_low, z_high) = (sides(kz, 0), sides(kz, 1));
-        let [.., c0, c1, c2, c3] = rest;
-        let children = [*c0, *c1, *c2, *c3].map(u32::from_le);
+        // Of the bytes of all four boxes, the lower and the upper sides along an axis.
+        let [s0, s1, s2, s3, s4, s5, c0, c1, c2, c3] = *rest;
+        let sides = [[s0, s1], [s2, s3], [s4, s5]].map(|pair| pair.map(u32::from_le));
+        let [[x_low, x_high], [y_low, y_high], [z_low, z_high]] = ray.in_order(sides);
+        let children = [c0, c1, c2, c3].map(u32::from_le);
 
         // A node is 255 units wide at most, and as wide again by its depth times a slope
         // of 1: farther off than 512 units it is missed.
@@ -261,9 +261,6 @@ impl<'a> Hierarchy<'a> {
         } else {
             (z_low, z_high)
         };
-        let (x_low, x_high) = (sides(kx, 0), sides(kx, 1));
-        let (y_low, y_high) = (sides(ky, 0), sides(ky, 1));
-
         let test = BoxTest {
             x: [x_low, x_first, x_high, x_second],
             y: [y_low, y_first, y_high, y_second],

@@ -1,10 +1,12 @@
 //! Light at a surface: the scene's lights, as far as nothing is in their way.
 
 use super::actors::RayActors;
+use super::coarse::Candidates;
 use super::ray::{FAR, Ray, between, moved};
 use super::sequence::on_light;
+use super::shades::{Shades, Towards};
 use super::surface::Surface;
-use super::windows::Windows;
+use super::windows::{Parallel, Windows};
 use crate::light::{Parts, ShortUnit, WorldLights, WorldSums};
 use crate::math::{Scaled, Unit3, mul_high, mul_q30, short_dot, unit};
 use crate::scene::layout::LIGHTS;
@@ -18,6 +20,8 @@ struct Lamp {
     /// To a directional light.
     towards: Unit3,
     area: Option<LightArea>,
+    /// All of it is within this of its position.
+    size: u32,
 }
 
 /// The lights of a frame.
@@ -34,8 +38,15 @@ impl RayLights {
             position: [0; 3],
             towards: [0; 3],
             area: None,
+            size: 0,
         }; LIGHTS],
     };
+
+    /// Whether there is one that is infinitely far away.
+    pub(super) fn any_directional(&self) -> bool {
+        let mut all = self.model.all();
+        all.any(|light| light.is_directional())
+    }
 
     /// Those of a scene.
     #[inline(never)]
@@ -49,6 +60,12 @@ impl RayLights {
                 position: light.position,
                 towards: light.towards,
                 area: large.then_some(area),
+                // Half the edges, and a rounding each.
+                size: area
+                    .edges
+                    .as_flattened()
+                    .iter()
+                    .fold(8, |all: u32, c| all.saturating_add(c.unsigned_abs() / 2)),
             };
         }
     }
@@ -69,8 +86,14 @@ pub(super) struct Lit<'a> {
     pub eye: ShortUnit,
     /// How far off the surface shadow rays start, raw world bits.
     pub lift: i32,
+    /// How far away it was seen from, and to which part of that, as a power of two, what is
+    /// between it and lights may be kept for what is beside it.
+    pub distance: u32,
+    pub spread: u32,
     /// See [`Ray::on`].
     pub on: u16,
+    /// See [`Parallel::source`].
+    pub source: Option<u16>,
 }
 
 /// 28 fractional bits: where short directions do not say on which side of a face a light
@@ -84,22 +107,30 @@ fn side_of([x, y, z]: Unit3, [dx, dy, dz]: Unit3) -> i32 {
         .saturating_add(mul_q30(z, dz))
 }
 
+/// What rays to lights meet.
+pub(super) struct Shadows<'t, 'a> {
+    pub scene: &'t Scene<'a>,
+    pub actors: &'t mut RayActors<'a>,
+    pub windows: &'t mut Windows,
+    pub shades: &'t mut Shades,
+}
+
 /// What a surface gives back of the scene's lights, and which of them reach it.
 #[inline(never)]
 pub(super) fn shine(
     (lights, settings): (&RayLights, &RaySettings),
-    scene: &Scene<'_>,
-    (actors, windows): (&mut RayActors<'_>, &mut Windows),
+    shadows: &mut Shadows<'_, '_>,
     lit: &Lit<'_>,
     seed: Seed,
 ) -> (Parts, u8) {
     let surface = lit.surface;
     let normal = shorten(surface.normal);
-    let face = shorten(surface.face);
     let mut sums = WorldSums::default();
     let mut mask = 0;
-    let all = lights.model.all().zip(&lights.lamps).enumerate();
-    for (number, (light, lamp)) in all {
+    for (number, lamp) in lights.lamps.iter().enumerate() {
+        let Some(light) = lights.model.get(number) else {
+            break;
+        };
         let samples = match lamp.area {
             Some(_) => u32::from(settings.light_samples),
             None => 1,
@@ -117,50 +148,13 @@ pub(super) fn shine(
             }
             let mut factor = share(factor, samples);
             if settings.shadows {
-                let side = short_dot(face, towards);
-                if side <= -GRAZING {
-                    continue;
-                }
-                let start = moved(surface.place, surface.face, lit.lift);
-                let ray = if light.is_directional() {
-                    Some((lamp.towards, FAR))
-                } else {
-                    unit(between(from, start)).map(|(direction, per_length)| {
-                        let length = crate::math::scaled_reciprocal(per_length);
-                        // Up to the light, but not what it may be off.
-                        let length = length.fixed(0);
-                        (
-                            direction,
-                            length.saturating_sub(2 + (length >> 26)).min(FAR),
-                        )
-                    })
-                };
-                let Some((direction, far)) = ray else {
-                    continue;
-                };
-                if side < GRAZING && side_of(surface.face, direction) <= 0 {
-                    continue;
-                }
-                let ray = Ray {
-                    origin: start,
-                    direction,
-                    near: 0,
-                    far,
-                    on: lit.on,
-                };
-                let through = {
-                    let window = light
-                        .is_directional()
-                        .then_some((&mut *windows, number as u8));
-                    passes(scene, actors, &ray, window)
-                };
+                let directional = light.is_directional();
+                let through = shadows.through(lit, (number, lamp, directional), from, towards);
                 if through == 0 {
                     continue;
                 }
                 if through < 1 << 16 {
-                    factor = Scaled::new(factor, -16)
-                        .times(Scaled::new(through, 0))
-                        .fixed(0);
+                    factor = part(factor, through);
                 }
             }
             mask |= 1u8 << (number & 7);
@@ -170,25 +164,106 @@ pub(super) fn shine(
     (sums.parts(lit.material, surface.tint), mask)
 }
 
-/// How much light passes along a ray, 2^16 is all; `parallel` to a light at infinity, whose
-/// number is given.
+/// A part of a factor, of 2^16.
+#[cold]
+#[inline(never)]
+fn part(factor: u32, through: u32) -> u32 {
+    let product = Scaled::new(factor, -16).times(Scaled::new(through, 0));
+    product.fixed(0)
+}
+
+impl Shadows<'_, '_> {
+    /// How much light gets from a place on a lamp to a surface, 2^16 is all; the lamp with its
+    /// number, and whether it is infinitely far away.
+    #[inline(never)]
+    fn through(
+        &mut self,
+        lit: &Lit<'_>,
+        (number, lamp, directional): (usize, &Lamp, bool),
+        from: [i32; 3],
+        towards: ShortUnit,
+    ) -> u32 {
+        let surface = lit.surface;
+        let side = short_dot(shorten(surface.face), towards);
+        if side <= -GRAZING {
+            return 0;
+        }
+        let far = if directional {
+            Towards::Direction(lamp.towards)
+        } else {
+            Towards::Place(lamp.position, lamp.size)
+        };
+        let near = (lit.distance >> lit.spread, lit.lift as u32);
+        let between = self
+            .shades
+            .find(self.actors, surface.place, (number, &far), near);
+        let between = between.without(lit.on.wrapping_sub(1));
+        if side >= GRAZING && between.is_empty() {
+            return 1 << 16;
+        }
+        let Some(ray) = ray_to(lit, (directional, lamp, from)) else {
+            return 0;
+        };
+        if side < GRAZING && side_of(surface.face, ray.direction) <= 0 {
+            return 0;
+        }
+        let parallel = Parallel {
+            light: number as u8,
+            source: lit.source,
+        };
+        let window = directional.then_some((&mut *self.windows, parallel));
+        passes(self.scene, self.actors, &ray, between, window)
+    }
+}
+
+/// The ray to a lamp, or to a place on it.
+#[inline(always)]
+fn ray_to(lit: &Lit<'_>, (directional, lamp, from): (bool, &Lamp, [i32; 3])) -> Option<Ray> {
+    let start = moved(lit.surface.place, lit.surface.face, lit.lift);
+    let (direction, far) = if directional {
+        (lamp.towards, FAR)
+    } else {
+        let (direction, per_length) = unit(between(from, start))?;
+        // Up to the light, but not what it may be off.
+        let length = crate::math::scaled_reciprocal(per_length).fixed(0);
+        (
+            direction,
+            length.saturating_sub(2 + (length >> 26)).min(FAR),
+        )
+    };
+    Some(Ray {
+        on: lit.on,
+        ..Ray::from_to(start, direction, far)
+    })
+}
+
+/// How much light passes by what may be in a ray's way, 2^16 is all; windows are for those
+/// to a light at infinity.
 #[inline(never)]
 fn passes(
     scene: &Scene<'_>,
     actors: &mut RayActors<'_>,
     ray: &Ray,
-    mut parallel: Option<(&mut Windows, u8)>,
+    mut between: Candidates,
+    mut windows: Option<(&mut Windows, Parallel)>,
 ) -> u32 {
     let mut through = 1u32 << 16;
-    let mut candidates = actors.candidates(ray);
-    while let Some(next) = candidates.next() {
-        let Some(actor) = actors.candidate(next, ray, ray.far) else {
+    while let Some((number, _)) = between.next() {
+        let Some(actor) = actors.get(number) else {
             continue;
         };
+        // Rays to a light leave what they start on.
+        if actor.radius == 0 || ray.on == number.wrapping_add(1) {
+            continue;
+        }
+        // A ball's test begins with the same.
+        if !actor.is_exact() && actor.missed(ray, ray.far) {
+            continue;
+        }
         let left = (1u32 << 16).saturating_sub(actor.optics.opacity);
-        let window = parallel
+        let window = windows
             .as_mut()
-            .map(|(windows, light)| (&mut **windows, *light));
+            .map(|(windows, parallel)| (&mut **windows, *parallel));
         for _ in 0..actor.in_the_way(scene, ray, window) {
             through = ((through >> 1) * (left >> 1)) >> 14;
             if through == 0 {

@@ -28,11 +28,13 @@ mod ray;
 mod rectangle;
 mod scratch;
 mod sequence;
+mod shades;
 mod smooth;
 mod surface;
 mod tile;
 mod trace;
 mod triangle;
+mod window_space;
 mod windows;
 
 pub use actors::RaySlot;

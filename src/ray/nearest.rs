@@ -9,26 +9,43 @@ use super::ray::Ray;
 use super::rectangle::RectangleHit;
 use super::surface::{Need, Surface};
 use super::triangle::{Faces, TriangleHit};
-use super::windows::Windows;
+use super::windows::{Parallel, Windows};
 use crate::math::Scaled;
-use crate::scene::{Scene, Shape};
+use crate::scene::{Mesh, Scene, Shape};
 
-/// What a ray meets.
-#[derive(Clone, Copy, Debug)]
+/// The nearest that a ray meets so far. It is filled in place: it is large.
+#[derive(Debug)]
 pub(super) struct Met {
+    /// The actor's number.
+    pub actor: u16,
     /// Raw world bits along the ray.
     pub distance: u32,
     what: What,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 enum What {
+    Nothing,
     Triangle(GridRay, TriangleHit),
     Ball(BallHit),
     Rectangle(RectangleHit),
 }
 
 impl Met {
+    /// Nothing before `far`.
+    pub(super) fn nothing(far: u32) -> Self {
+        Self {
+            actor: 0,
+            distance: far,
+            what: What::Nothing,
+        }
+    }
+
+    /// Whether there is anything.
+    pub(super) fn is_something(&self) -> bool {
+        !matches!(self.what, What::Nothing)
+    }
+
     /// The meshlet's number in its mesh and the triangle's in that; `None` of a ball or a
     /// rectangle.
     pub(super) fn triangle(&self) -> Option<(u32, u8)> {
@@ -40,68 +57,101 @@ impl Met {
 }
 
 impl RayActor {
-    /// Where a ray first meets this actor, nearer than `far`; `from` is the ray's start
-    /// in the actor's grid, `only` the triangles that it may meet, where that is known. What
-    /// of its triangles is nearer than `near` is not met.
+    /// Where a ray first meets this actor, if that is nearer than what it met so far; `from`
+    /// is the ray's start in the actor's grid, `only` the triangles that it may meet, where
+    /// that is known.
     #[inline(always)]
     pub(super) fn meet(
         &self,
         scene: &Scene<'_>,
         ray: &Ray,
-        from: Option<GridPlace>,
-        (near, far): (u32, u32),
+        from: Option<&GridPlace>,
         only: Option<Candidates<'_>>,
-    ) -> Option<Met> {
-        let first_node = match self.shape {
-            Shape::Triangles { first_node, .. } => first_node,
+        best: &mut Met,
+    ) {
+        match self.shape {
+            Shape::Triangles { first_node, .. } => {
+                if let Some(from) = from {
+                    self.meet_triangle(scene, ray, (from, first_node), only, best);
+                }
+            }
             Shape::Rectangle { half, .. } => {
-                let hit = self.meet_rectangle(scene, ray, self.faces, half)?;
-                return (hit.distance < far).then_some(Met {
-                    distance: hit.distance,
-                    what: What::Rectangle(hit),
-                });
+                if let Some(hit) = self.meet_rectangle(scene, ray, self.faces, half)
+                    && hit.distance < best.distance
+                {
+                    best.actor = self.number;
+                    best.distance = hit.distance;
+                    best.what = What::Rectangle(hit);
+                }
             }
             _ => {
-                let ball = self.meet_ball(ray, self.faces)?;
-                return (ball.distance < far).then_some(Met {
-                    distance: ball.distance,
-                    what: What::Ball(ball),
-                });
+                if let Some(hit) = self.meet_ball(ray, self.faces)
+                    && hit.distance < best.distance
+                {
+                    best.actor = self.number;
+                    best.distance = hit.distance;
+                    best.what = What::Ball(hit);
+                }
             }
-        };
-        if only.is_some_and(|only| !only.any(self.number)) {
-            return None;
         }
-        let grid = GridRay::new(self, ray, from?);
+    }
+
+    /// The same of a mesh.
+    #[inline(never)]
+    fn meet_triangle(
+        &self,
+        scene: &Scene<'_>,
+        ray: &Ray,
+        (from, first_node): (&GridPlace, u32),
+        only: Option<Candidates<'_>>,
+        best: &mut Met,
+    ) {
+        let grid = GridRay::new(self, ray, from);
         let mesh = scene.mesh(self.mesh);
         let tree = Hierarchy::new(scene, &mesh, first_node, self.holes);
-        let near = grid.units(self, near);
+        let near = grid.units(self, ray.near);
         let hit = match only {
             Some(only) => {
                 let triangles = only.of(self.number);
                 // Of the nearest, what is too far is seen below.
-                tree.nearest_of(&grid, self.faces, (near, i32::MAX), triangles)?
+                tree.nearest_of(&grid, self.faces, (near, i32::MAX), triangles)
             }
             None => {
-                let range = (near, limit(&grid, self, far));
-                tree.nearest(&grid, self.faces, range)?
+                let range = (near, limit(&grid, self, best.distance));
+                tree.nearest(&grid, self.faces, range)
             }
         };
+        let Some(hit) = hit else { return };
         let way = self.way(grid.along, grid.from.fraction);
         let distance = Scaled::new(hit.ahead.unsigned_abs(), 0).times(way).fixed(0);
-        (distance < far).then_some(Met {
-            distance,
-            what: What::Triangle(grid, hit),
-        })
+        if distance < best.distance {
+            best.actor = self.number;
+            best.distance = distance;
+            best.what = What::Triangle(grid, hit);
+        }
+    }
+
+    /// The hierarchy of its mesh, which is given, if it is met by its triangles.
+    pub(super) fn hierarchy<'a>(
+        &self,
+        scene: &'a Scene<'a>,
+        mesh: &'a Mesh,
+    ) -> Option<Hierarchy<'a>> {
+        match self.shape {
+            Shape::Triangles { first_node, .. } => {
+                Some(Hierarchy::new(scene, mesh, first_node, self.holes))
+            }
+            _ => None,
+        }
     }
 
     /// How often a ray meets this actor; of an opaque one, whether it does.
-    /// Those to a light at infinity, whose number is given, share windows.
+    /// Those to a light at infinity share windows.
     pub(super) fn in_the_way(
         &self,
         scene: &Scene<'_>,
         ray: &Ray,
-        parallel: Option<(&mut Windows, u8)>,
+        parallel: Option<(&mut Windows, Parallel)>,
     ) -> u32 {
         let first_node = match self.shape {
             Shape::Triangles { first_node, .. } => first_node,
@@ -111,24 +161,26 @@ impl RayActor {
             }
             _ => return self.count_ball(ray),
         };
+        let opaque = self.optics.opacity >= 1 << 16;
+        if opaque && let Some((windows, parallel)) = parallel {
+            return windows.any(self, scene, ray, parallel).into();
+        }
+        let mesh = scene.mesh(self.mesh);
+        let tree = Hierarchy::new(scene, &mesh, first_node, self.holes);
         let Some(from) = self.place(ray.origin) else {
             return 0;
         };
-        let grid = GridRay::new(self, ray, from);
-        let mesh = scene.mesh(self.mesh);
-        let tree = Hierarchy::new(scene, &mesh, first_node, self.holes);
+        let grid = GridRay::new(self, ray, &from);
         let range = (0, grid.units(self, ray.far));
-        if self.optics.opacity < 1 << 16 {
-            tree.count(&grid, range)
-        } else if let Some((windows, light)) = parallel {
-            let key = (self.number, light);
-            windows.any(&tree, key, &grid).into()
-        } else {
+        if opaque {
             tree.any(&grid, range).into()
+        } else {
+            tree.count(&grid, range)
         }
     }
 
     /// The surface where a ray meets it.
+    #[inline(always)]
     pub(super) fn surface_at(
         &self,
         scene: &Scene<'_>,
@@ -137,15 +189,9 @@ impl RayActor {
         need: Need,
     ) -> Option<Surface> {
         match &met.what {
+            What::Nothing => None,
             What::Triangle(grid, hit) => self.surface(scene, ray, grid, hit, need),
-            What::Ball(ball) => Some(Surface {
-                place: ball.place,
-                face: ball.normal,
-                normal: ball.normal,
-                tint: None,
-                coordinates: None,
-                back: ball.back,
-            }),
+            What::Ball(hit) => self.ball_surface(ray, hit),
             What::Rectangle(hit) => Some(self.rectangle_surface(scene, hit)),
         }
     }

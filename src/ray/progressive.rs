@@ -54,6 +54,12 @@ impl Pass<'_> {
         self.step == 0
     }
 
+    /// Whether all pixels are drawn, and none is known.
+    #[inline(always)]
+    pub(super) fn is_plain(&self) -> bool {
+        self.step == 0 && self.known.is_none()
+    }
+
     /// Whether the pixels are so far apart that rays have nothing to share.
     pub(super) fn is_sparse(&self) -> bool {
         self.step > 1

@@ -22,6 +22,17 @@ pub(super) struct Ray {
 pub(super) const FAR: u32 = i32::MAX as u32;
 
 impl Ray {
+    /// From a place in a direction, up to `far`.
+    pub(super) fn from_to(origin: [i32; 3], direction: Unit3, far: u32) -> Self {
+        Self {
+            origin,
+            direction,
+            near: 0,
+            far,
+            on: 0,
+        }
+    }
+
     /// The place at a distance.
     pub(super) fn at(&self, distance: u32) -> [i32; 3] {
         let mut place = self.origin;

@@ -3,9 +3,12 @@
 use super::actor::{RayActor, plus};
 use super::holes::is_hole;
 use super::ray::{Ray, between, moved};
+use super::shades::Towards;
 use super::surface::Surface;
 use super::triangle::Faces;
-use crate::math::{Scaled, Unit3, mul_q30, scaled_reciprocal};
+use crate::math::{
+    Scaled, Unit3, leading_zeros, mul_high_u, mul_q30, reciprocal, scaled_reciprocal,
+};
 use crate::scene::{Coordinates, Scene, Shape};
 
 /// Where a ray meets a rectangle.
@@ -53,16 +56,27 @@ impl RayActor {
         let off = between(self.centre, ray.origin);
         let bits = off.iter().fold(1, |m, c| m | c.unsigned_abs());
         // To 30 bits, for rays that graze it.
-        let up = bits.leading_zeros() as i32 - 2;
-        let fine = off.map(|c| if up >= 0 { c << up } else { c >> 1 });
+        let up = leading_zeros(bits) as i32 - 2;
+        let fine = if up >= 0 {
+            off.map(|c| c << up)
+        } else {
+            off.map(|c| c >> -up)
+        };
         let height = along(fine, normal);
         if (height ^ slope) < 0 {
             return None;
         }
-        let slope = Scaled::new(slope.unsigned_abs(), -30);
-        let distance = Scaled::new(height.unsigned_abs(), -up)
-            .times(scaled_reciprocal(slope))
-            .fixed(0);
+        // Height over slope, which has 30 fractional bits: one over it has 62 - shift.
+        let recip = reciprocal(slope.unsigned_abs());
+        let height = height.unsigned_abs();
+        let lead = leading_zeros(height | 1);
+        let quotient = mul_high_u(height << lead, recip.mantissa as u32);
+        let shift = lead as i32 + up - recip.shift as i32;
+        let distance = if shift >= 0 {
+            quotient >> shift.min(31)
+        } else {
+            quotient.saturating_mul(1 << shift.unsigned_abs().min(31))
+        };
         if distance < ray.near || distance > ray.far {
             return None;
         }
@@ -84,6 +98,24 @@ impl RayActor {
             place,
             back,
         })
+    }
+
+    /// Whether all ways from within `around` of a place to a lamp surely stay on one side of
+    /// this rectangle.
+    pub(super) fn is_beside(&self, place: [i32; 3], towards: &Towards, around: u32) -> bool {
+        let Shape::Rectangle { .. } = self.shape else {
+            return false;
+        };
+        let [_, normal, _] = self.to_grid;
+        let height = |of: [i32; 3]| along(between(of, self.centre), normal);
+        // What roundings take.
+        let least = around as i32 + 64;
+        let (from, to) = match *towards {
+            // Of a direction, up to where rays end.
+            Towards::Direction(direction) => (height(place), along(direction, normal)),
+            Towards::Place(lamp, _) => (height(place), height(lamp)),
+        };
+        from.unsigned_abs() > least as u32 && to.unsigned_abs() > least as u32 && (from ^ to) >= 0
     }
 
     /// Whether its texture is cut out at a place.

@@ -5,6 +5,7 @@ use super::coarse::Sphere;
 use super::follow::WaitingRays;
 use super::gather::Gathered;
 use super::light::RayLights;
+use super::shades::Shades;
 use super::windows::Windows;
 
 /// Working memory of a fixed size; put it into a `static`. `ACTORS` whose places are kept
@@ -17,6 +18,7 @@ pub struct RayScratch<const ACTORS: usize> {
     listed: [u16; ACTORS],
     gathered: Gathered,
     windows: Windows,
+    shades: Shades,
     lights: RayLights,
     waiting: WaitingRays,
 }
@@ -33,6 +35,7 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
             listed: [0; ACTORS],
             gathered: Gathered::EMPTY,
             windows: Windows::EMPTY,
+            shades: Shades::NONE,
             lights: RayLights::NONE,
             waiting: WaitingRays::NONE,
         }
@@ -46,6 +49,7 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
             listed: &mut self.listed,
             gathered: &mut self.gathered,
             windows: &mut self.windows,
+            shades: &mut self.shades,
             lights: &mut self.lights,
             waiting: &mut self.waiting,
         }
@@ -70,6 +74,8 @@ pub struct RayWorkspace<'a> {
     pub(super) gathered: &'a mut Gathered,
     /// Triangles that rays to a light may meet.
     pub(super) windows: &'a mut Windows,
+    /// Actors that they may meet.
+    pub(super) shades: &'a mut Shades,
     pub(super) lights: &'a mut RayLights,
     pub(super) waiting: &'a mut WaitingRays,
 }

@@ -54,7 +54,8 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
             let within = tile.top <= row && row < tile.bottom;
             for (column, looks) in (grown.left..grown.right).zip(looks) {
                 let place = [column, row];
-                let seen = self.cast(camera, place, 0, count, None);
+                let at = camera.at(column.into(), row.into());
+                let seen = self.cast((camera, &at), place, 0, count, None);
                 *looks = self.looks(seen.as_ref().map(|(shown, _)| shown), row);
                 if let (Some((shown, depth)), true) = (seen, within)
                     && tile.left <= column
@@ -101,8 +102,9 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
     ) {
         let [column, row] = place;
         let mut sums = first.map(u32::from);
+        let at = camera.at(column.into(), row.into());
         for number in 1..u32::from(samples) {
-            let seen = self.cast(camera, place, number, count, None);
+            let seen = self.cast((camera, &at), place, number, count, None);
             let looks = self.looks(seen.as_ref().map(|(shown, _)| shown), row);
             for (sum, c) in sums.iter_mut().zip(looks.colour) {
                 *sum += u32::from(c);
@@ -126,7 +128,7 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
     }
 
     /// What a ray shows as a colour.
-    fn looks(&self, shown: Option<&Shown>, row: u16) -> Looks {
+    fn looks(&mut self, shown: Option<&Shown>, row: u16) -> Looks {
         let Some(shown) = shown else {
             let height = self.viewport.rect.height();
             let index = self.tracer.background.at(row, height);
@@ -136,10 +138,7 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
             };
         };
         let colour = match shown.light {
-            Light::Own(material, lit, base) => {
-                let material = self.tracer.scene.material(material);
-                self.tracer.rgb(&material, lit, base)
-            }
+            Light::Own(material, lit, base) => self.tracer.rgb(material, lit, base),
             Light::Mixed(lit) => lit,
         };
         Looks {

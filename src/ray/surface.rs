@@ -50,7 +50,7 @@ impl RayActor {
         let meshlet = Meshlet::from_words(words);
         let points = Points::new(scene, &mesh, meshlet);
         let corners = points.corners(hit.triangle);
-        let [a, b, c] = corners.map(|corner| points.off(grid, corner, [0, 1, 2]));
+        let [a, b, c] = corners.map(|corner| points.off(grid, corner));
         let (ab, ac) = (minus(b, a), minus(c, a));
         let [second, third] = hit.weights;
         let mut off = a;

@@ -5,6 +5,7 @@ use super::coverage;
 use super::frame::{RayStats, Seen, Watch};
 use super::gather::Gathered;
 use super::light::Seed;
+use super::nearest::Met;
 use super::progressive::Pass;
 use super::sequence::in_pixel;
 use super::trace::{Light, Shown, Tracer, lookup};
@@ -32,6 +33,8 @@ pub(super) struct Drawing<'a, 's, 'p, W> {
     pub dither: Dither,
     pub stats: &'a mut RayStats,
     pub pass: &'a mut Pass<'p>,
+    /// There are shadows of lights that are infinitely far away.
+    pub parallel: bool,
 }
 
 impl<W: Watch> Drawing<'_, '_, '_, W> {
@@ -133,36 +136,82 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
         if !gathered && divided < LAST && listed.is_some() {
             return false;
         }
-        self.tracer.windows.begin();
-        // Corners first: they tell where rays to lights start.
-        let [right, bottom] = [tile.right - 1, tile.bottom - 1];
-        let ordered = self.tracer.settings.shadows && tile.left < right && tile.top < bottom;
-        if ordered {
-            for place in [
-                [tile.left, tile.top],
-                [right, bottom],
-                [right, tile.top],
-                [tile.left, bottom],
-            ] {
-                self.pixel(camera, target, tile, place, (count, gathered));
+        let drawn = (count, gathered);
+        if self.parallel && self.tracer.windows.by_quarters() {
+            for quarter in parts(tile, TILE / 2) {
+                self.pixels(camera, target, (tile, &quarter), drawn);
             }
-        }
-        for row in tile.top..tile.bottom {
-            let ends = ordered && (row == tile.top || row == bottom);
-            for column in tile.left..tile.right {
-                if !(ends && (column == tile.left || column == right)) {
-                    self.pixel(camera, target, tile, [column, row], (count, gathered));
-                }
-            }
+        } else {
+            self.pixels(camera, target, (tile, tile), drawn);
         }
         true
     }
 
-    /// Draws a pixel of a tile whose triangles were gathered or not.
-    #[inline(always)]
-    fn pixel(
+    /// Draws the pixels of a part of a tile.
+    #[inline(never)]
+    fn pixels(
         &mut self,
         camera: &RayCamera,
+        target: &mut Target<'_>,
+        (tile, part): (&Rect, &Rect),
+        drawn: (usize, bool),
+    ) {
+        let (_, gathered) = drawn;
+        let plain = gathered && self.pass.is_plain();
+        if self.parallel && self.tracer.windows.begin(tile != part) && plain {
+            // Corners first: they tell where rays to lights start.
+            let [right, bottom] = [part.right - 1, part.bottom - 1];
+            self.note(camera, tile, [part.left, part.top], drawn);
+            self.note(camera, tile, [right, bottom], drawn);
+            if tile == part {
+                self.note(camera, tile, [right, part.top], drawn);
+                self.note(camera, tile, [part.left, bottom], drawn);
+            }
+        }
+        for row in part.top..part.bottom {
+            let mut next = camera.at(part.left.into(), row.into());
+            for column in part.left..part.right {
+                let at = next;
+                next = camera.right_of(&at);
+                let place = [column, row];
+                if plain && self.gathered.nothing_at(in_tile(tile, place)) {
+                    self.stats.rays += 1;
+                    continue;
+                }
+                self.pixel((camera, &at), target, tile, place, drawn);
+            }
+        }
+    }
+
+    /// Notes what a pixel's ray meets, for rays to lights.
+    #[inline(never)]
+    fn note(
+        &mut self,
+        camera: &RayCamera,
+        tile: &Rect,
+        place: [u16; 2],
+        (count, gathered): (usize, bool),
+    ) {
+        let [column, row] = place;
+        let only = gathered.then(|| self.gathered.at(in_tile(tile, place)));
+        if only.is_some_and(|only| only.is_empty()) {
+            return;
+        }
+        let cast = camera.cast(&camera.at(column.into(), row.into()));
+        let view = (self.viewport.number, camera);
+        let mut met = Met::nothing(cast.ray.far);
+        let listed = self.listed.get(..count);
+        if self.tracer.camera(&cast.ray, view, listed, only, &mut met) {
+            let at = cast.ray.at(met.distance);
+            self.tracer.windows.note((met.actor, at));
+        }
+    }
+
+    /// Draws a pixel of a tile whose triangles were gathered or not.
+    #[inline(never)]
+    fn pixel(
+        &mut self,
+        (camera, at): (&RayCamera, &[i64; 3]),
         target: &mut Target<'_>,
         tile: &Rect,
         place: [u16; 2],
@@ -171,55 +220,66 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
         let [column, row] = place;
         let rect = &self.viewport.rect;
         let in_frame = [rect.left + column, rect.top + row];
-        if !self.pass.takes(in_frame) {
-            return;
-        }
-        if let Some((index, depth)) = self.pass.known(in_frame) {
-            if depth != 0 {
-                put(target, place, index, Some(depth));
+        if !self.pass.is_plain() {
+            if !self.pass.takes(in_frame) {
+                return;
             }
-            return;
+            if let Some((index, depth)) = self.pass.known(in_frame) {
+                if depth != 0 {
+                    put(target, place, index, Some(depth));
+                }
+                return;
+            }
         }
-        let (x, y) = (column - tile.left, row - tile.top);
-        let pixel = usize::from(y) * coverage::TILE + usize::from(x);
-        let pixel = gathered.then_some(pixel);
-        if let Some((shown, depth)) = self.cast(camera, place, 0, count, pixel) {
-            let index = self.show(target, place, &shown, depth);
-            self.pass.keep(in_frame, index, depth);
+        let pixel = gathered.then(|| in_tile(tile, place));
+        if let Some((shown, depth)) = &self.cast((camera, at), place, 0, count, pixel) {
+            let index = self.show(target, place, shown, *depth);
+            self.pass.keep(in_frame, index, *depth);
         }
     }
 
     /// What a pixel's ray shows, and its depth; `pixel` is its place among those that
     /// were gathered, if they were.
-    #[inline(never)]
+    #[inline(always)]
     pub(super) fn cast(
         &mut self,
-        camera: &RayCamera,
+        (camera, at): (&RayCamera, &[i64; 3]),
         [column, row]: [u16; 2],
         number: u32,
         count: usize,
         pixel: Option<usize>,
     ) -> Option<(Shown, u16)> {
-        if pixel.is_some_and(|pixel| self.gathered.nothing_at(pixel)) {
-            self.stats.rays += 1;
+        self.stats.rays += 1;
+        let only = pixel.map(|pixel| self.gathered.at(pixel));
+        if only.is_some_and(|only| only.is_empty()) {
             return None;
         }
         // In 2^-16 pixels.
         let from_middle = |c: u32| c.wrapping_sub(1 << 31) as i32 >> 16;
-        let offset = match number {
-            0 => [0; 2],
-            _ => in_pixel(number, self.tracer.settings.samples.into()).map(from_middle),
+        let mut cast = if number == 0 {
+            camera.cast(at)
+        } else {
+            let place = in_pixel(number, self.tracer.settings.samples.into());
+            camera.cast(&camera.beside(at, place.map(from_middle)))
         };
-        let cast = camera.cast(column.into(), row.into(), offset);
-        self.stats.rays += 1;
         let seed = Seed {
             pixel: [column.into(), row.into()],
             sample: number,
         };
         let view = (self.viewport.number, camera);
-        let only = pixel.map(|pixel| self.gathered.at(pixel));
         let listed = self.listed.get(..count);
-        let shown = self.tracer.camera(&cast.ray, view, listed, only, seed)?;
+        let mut met = Met::nothing(cast.ray.far);
+        let mut found = self.tracer.camera(&cast.ray, view, listed, only, &mut met);
+        if found && camera.eye().is_some() && !camera.is_within(met.distance) {
+            // A plane may cut it off.
+            camera.clip(&mut cast);
+            met = Met::nothing(cast.ray.far);
+            found = self.tracer.camera(&cast.ray, view, listed, only, &mut met);
+        }
+        if !found {
+            return None;
+        }
+        let shown = self.tracer.shown(&cast.ray, &met, seed)?;
         let depth = camera.depth(&cast, shown.distance);
         Some((shown, depth))
     }
@@ -235,8 +295,8 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
         let scene = self.tracer.scene;
         let (lookup, lit) = match shown.light {
             Light::Own(material, lit, base) => {
-                let material = self.tracer.material(material);
-                (lookup(scene, &material, base), lit)
+                let material = self.tracer.materials.get(scene, material);
+                (lookup(scene, material, base), lit)
             }
             Light::Mixed(lit) => (Lookup::Colours(scene.colours()), lit),
         };
@@ -267,6 +327,12 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
         put(target, place, index, Some(depth));
         index
     }
+}
+
+/// A pixel's place in a tile's bits.
+#[inline(always)]
+fn in_tile(tile: &Rect, [column, row]: [u16; 2]) -> usize {
+    usize::from(row - tile.top) * coverage::TILE + usize::from(column - tile.left)
 }
 
 /// The parts of a tile that are so wide and high.

@@ -5,9 +5,10 @@ use super::bounce::Facing;
 use super::camera::RayCamera;
 use super::follow::WaitingRays;
 use super::gather::Candidates;
-use super::light::{Lit as LitPoint, RayLights, Seed, shine, shorten};
+use super::light::{Lit as LitPoint, RayLights, Seed, Shadows, shine, shorten};
 use super::nearest::Met;
 use super::ray::Ray;
+use super::shades::Shades;
 use super::surface::Need;
 use super::windows::Windows;
 use crate::light::{Lit, Parts, sum};
@@ -16,6 +17,11 @@ use crate::scene::NO_TEXEL;
 use crate::scene::layout::BASES;
 use crate::scene::{Gradient, Material, Optics, RaySettings, Scene, Shading};
 use crate::shade::{Lookup, Sampler, on_texel};
+
+/// What is beside a place that the camera sees is, in parts of its distance, some four
+/// pixels away; what is beside one that a mirror shows is farther.
+const OF_CAMERA: u32 = 5;
+pub(super) const OF_OTHERS: u32 = 3;
 
 /// 1 as weights have it.
 pub(super) const ONE: u32 = 1 << 16;
@@ -50,8 +56,8 @@ pub(super) struct Tracer<'a> {
     pub lights: &'a RayLights,
     pub windows: &'a mut Windows,
     pub waiting: &'a mut WaitingRays,
-    /// The last one that was asked for, with its number.
-    pub material: Option<(u16, Material)>,
+    pub shades: &'a mut Shades,
+    pub materials: Materials,
     pub settings: RaySettings,
     pub palette: Palette<'a>,
     pub background: Gradient<'a>,
@@ -61,7 +67,6 @@ pub(super) struct Tracer<'a> {
 pub(super) struct Local {
     /// The material's number.
     number: u16,
-    material: Material,
     /// Where its colour goes through a texture by level: the base colour.
     base: Option<u8>,
     lit: Lit,
@@ -71,30 +76,59 @@ pub(super) struct Local {
     pub facing: Option<(Facing, [i32; 3], bool)>,
 }
 
+/// The material that was asked for last, with its number: neighbours mostly have the same.
+pub(super) struct Materials(u16, Material);
+
+impl Materials {
+    /// None asked for yet: the number is no material's.
+    pub(super) const NONE: Self = Self(u16::MAX, Material::PLAIN);
+
+    /// A material of the scene.
+    #[inline(always)]
+    pub(super) fn get(&mut self, scene: &Scene<'_>, number: u16) -> &Material {
+        let Self(known, material) = self;
+        if *known != number {
+            (*known, *material) = (number, scene.material(number));
+        }
+        material
+    }
+}
+
 impl Tracer<'_> {
-    /// What a ray from a viewport's camera shows; `None`: the background. Only `listed`
-    /// actors are looked at, if they are listed, and of their triangles `only` some.
+    /// What a ray from a viewport's camera shows; `false`: the background. Only `listed`
+    /// actors are looked at, if they are listed, or `only` what was gathered. `met` is
+    /// filled with the nearest.
     pub(super) fn camera(
         &mut self,
         ray: &Ray,
         view: (u16, &RayCamera),
         listed: Option<&[u16]>,
         only: Option<Candidates<'_>>,
-        seed: Seed,
-    ) -> Option<Shown> {
-        let (actor, met) = self.seen(ray, view, listed, only)?;
-        let which = self.actors.get(actor)?;
+        met: &mut Met,
+    ) -> bool {
+        match only {
+            Some(only) => self.seen_of(ray, view, only, met),
+            None => self.seen(ray, view, listed, met),
+        }
+        met.is_something()
+    }
+
+    /// The light of what a ray from a viewport's camera has met.
+    #[inline(always)]
+    pub(super) fn shown(&mut self, ray: &Ray, met: &Met, seed: Seed) -> Option<Shown> {
+        let which = self.actors.get(met.actor)?;
         let (optics, mesh) = (which.optics, which.mesh);
         let triangle = met.triangle();
         let triangle = triangle.map(|(meshlet, triangle)| (mesh, meshlet, triangle));
-        let local = self.local(ray, actor, &met, seed)?;
+        let local = self.local(ray, met, seed, OF_CAMERA);
+        let local = local.as_ref()?;
         let light = if optics.reflectivity == 0 && optics.opacity >= ONE {
             Light::Own(local.number, local.lit, local.base)
         } else {
-            Light::Mixed(self.go_on(ray, actor, &local, &met, seed))
+            Light::Mixed(self.go_on(ray, local, met, seed))
         };
         Some(Shown {
-            actor,
+            actor: met.actor,
             distance: met.distance,
             triangle,
             lights: local.lights,
@@ -109,36 +143,48 @@ impl Tracer<'_> {
         ray: &Ray,
         (viewport, camera): (u16, &RayCamera),
         listed: Option<&[u16]>,
-        only: Option<Candidates<'_>>,
-    ) -> Option<(u16, Met)> {
-        let mut best: Option<(u16, Met)> = None;
-        let mut far = ray.far;
+        best: &mut Met,
+    ) {
         for which in 0..listed.map_or(self.actors.count(), |listed| listed.len() as u16) {
             let number = match listed {
-                Some(listed) => *listed.get(usize::from(which))?,
+                Some(listed) => listed.get(usize::from(which)).copied().unwrap_or(0),
                 None => which,
             };
-            let seen = self.actors.seen(number, viewport, camera, ray.origin);
-            let Some((actor, from, beyond_near)) = seen else {
+            let Some((actor, from)) = self.actors.seen(number, viewport, camera) else {
                 break;
             };
-            let near = if beyond_near { 0 } else { ray.near };
-            if let Some(met) = actor.meet(self.scene, ray, from, (near, far), only) {
-                far = met.distance;
-                best = Some((number, met));
-            }
+            let of_parallel = match camera.eye() {
+                None if !actor.is_exact() => actor.place(ray.origin),
+                _ => None,
+            };
+            actor.meet(self.scene, ray, of_parallel.as_ref().or(from), None, best);
         }
-        best
+    }
+
+    /// The nearest of what was gathered.
+    #[inline(never)]
+    fn seen_of(
+        &mut self,
+        ray: &Ray,
+        (viewport, camera): (u16, &RayCamera),
+        only: Candidates<'_>,
+        best: &mut Met,
+    ) {
+        let mut left = only;
+        while let Some(number) = left.next_actor() {
+            let Some((actor, from)) = self.actors.seen(number, viewport, camera) else {
+                break;
+            };
+            actor.meet(self.scene, ray, from, Some(only), best);
+        }
     }
 
     /// The nearest of all actors.
     #[inline(never)]
-    pub(super) fn nearest(&mut self, ray: &Ray) -> Option<(u16, Met)> {
-        let mut best: Option<(u16, Met)> = None;
-        let mut far = ray.far;
-        let mut candidates = self.actors.candidates(ray);
+    pub(super) fn nearest(&mut self, ray: &Ray, best: &mut Met) {
+        let mut candidates = self.actors.candidates(ray, 0);
         while let Some(next) = candidates.next() {
-            let Some(actor) = self.actors.candidate(next, ray, far) else {
+            let Some(actor) = self.actors.candidate(next, ray, best.distance) else {
                 continue;
             };
             let from = if actor.is_exact() {
@@ -146,49 +192,53 @@ impl Tracer<'_> {
             } else {
                 actor.place(ray.origin)
             };
-            if let Some(met) = actor.meet(self.scene, ray, from, (ray.near, far), None) {
-                far = met.distance;
-                best = Some((next.0, met));
-            }
+            actor.meet(self.scene, ray, from.as_ref(), None, best);
         }
-        best
     }
 
+    /// The surface that a ray has met, by itself; see [`LitPoint`] for `spread`.
     #[inline(never)]
-    pub(super) fn local(&mut self, ray: &Ray, number: u16, met: &Met, seed: Seed) -> Option<Local> {
-        let number_of_material = self.actors.get(number)?.material;
-        let material = self.material(number_of_material);
-        let actor = self.actors.get(number)?;
+    pub(super) fn local(&mut self, ray: &Ray, met: &Met, seed: Seed, spread: u32) -> Option<Local> {
+        let actor = self.actors.get(met.actor)?;
+        let number = actor.material;
+        let material = self.materials.get(self.scene, number);
         let goes_on = actor.optics != Optics::PLAIN;
         let need = Need {
             face: self.settings.shadows || goes_on,
             flat: material.shading == Shading::Flat,
         };
-        let surface = actor.surface_at(self.scene, ray, met, need)?;
-        let lift = actor.lift(met.distance);
+        let surface = actor.surface_at(self.scene, ray, met, need);
+        let surface = surface.as_ref()?;
         let (mesh, exact) = (actor.mesh, actor.is_exact());
         let lit = LitPoint {
-            surface: &surface,
-            material: &material,
+            surface,
+            material,
             eye: shorten(ray.direction.map(|c| -c)),
-            lift,
-            on: if exact { number + 1 } else { 0 },
+            lift: actor.lift(met.distance),
+            distance: met.distance,
+            spread,
+            on: if exact { met.actor + 1 } else { 0 },
+            source: (spread == OF_CAMERA).then_some(met.actor),
         };
-        let (parts, lights) = shine(
-            (self.lights, &self.settings),
-            self.scene,
-            (&mut self.actors, self.windows),
-            &lit,
-            seed,
-        );
-        let (lit, base) = self.textured(&material, mesh, surface.coordinates, parts);
+        let mut shadows = Shadows {
+            scene: self.scene,
+            actors: &mut self.actors,
+            windows: self.windows,
+            shades: self.shades,
+        };
+        let (parts, lights) = shine((self.lights, &self.settings), &mut shadows, &lit, seed);
+        let (lit, base) = match (material.texture, surface.coordinates) {
+            (Some(texture), Some(place)) => {
+                textured(self.scene, (material, texture), (mesh, place), parts)
+            }
+            _ => (sum(parts.body, parts.gloss), None),
+        };
         let facing = goes_on.then(|| {
-            let facing = Facing::new(&surface, ray.direction);
+            let facing = Facing::new(surface, ray.direction);
             (facing, surface.place, surface.back)
         });
         Some(Local {
-            number: number_of_material,
-            material,
+            number,
             base,
             lit,
             lights,
@@ -196,54 +246,15 @@ impl Tracer<'_> {
         })
     }
 
-    /// A material: neighbours mostly have the same.
-    #[inline(always)]
-    pub(super) fn material(&mut self, number: u16) -> Material {
-        if let Some((known, material)) = &self.material
-            && *known == number
-        {
-            return *material;
-        }
-        let material = self.scene.material(number);
-        self.material = Some((number, material));
-        material
-    }
-
-    /// Light on the material's texture; of one that goes by level its base colour.
-    #[inline(never)]
-    fn textured(
-        &self,
-        material: &Material,
-        mesh: u16,
-        coordinates: Option<[i32; 2]>,
-        parts: Parts,
-    ) -> (Lit, Option<u8>) {
-        let plain = (sum(parts.body, parts.gloss), None);
-        let texture = material.texture.and_then(|t| self.scene.texture(t));
-        let own = self.scene.mesh(mesh).coordinates;
-        let (Some(texture), Some(own), Some(place)) = (texture, own, coordinates) else {
-            return plain;
-        };
-        let sampler = Sampler::new(self.scene, texture, own);
-        let (path, place) = sampler.point(place);
-        if material.coloured {
-            match sampler.colour(&path, place) {
-                Some(texel) => (on_texel(parts, texel), None),
-                None => plain,
-            }
-        } else {
-            let base = sampler.nearest(&path, place).unwrap_or(NO_TEXEL);
-            (sum(parts.body, parts.gloss), Some(base % BASES as u8))
-        }
-    }
-
     /// The colour of a surface by itself.
-    pub(super) fn colour(&self, local: &Local) -> Lit {
-        self.rgb(&local.material, local.lit, local.base)
+    #[inline(always)]
+    pub(super) fn colour(&mut self, local: &Local) -> Lit {
+        self.rgb(local.number, local.lit, local.base)
     }
 
-    /// Light as red, green and blue, of a material that goes by level too.
-    pub(super) fn rgb(&self, material: &Material, lit: Lit, base: Option<u8>) -> Lit {
+    /// Light of a material as red, green and blue, where it goes by level too.
+    pub(super) fn rgb(&mut self, material: u16, lit: Lit, base: Option<u8>) -> Lit {
+        let material = self.materials.get(self.scene, material);
         if material.coloured {
             return lit;
         }
@@ -260,6 +271,31 @@ impl Tracer<'_> {
     /// The colour of a palette entry.
     pub(super) fn entry(&self, index: u8) -> Lit {
         self.palette.rgb888(index).map(|c| u16::from(c) << 6)
+    }
+}
+
+/// Light on a material's texture; of one that goes by level its base colour.
+#[inline(never)]
+fn textured(
+    scene: &Scene<'_>,
+    (material, texture): (&Material, u8),
+    (mesh, place): (u16, [i32; 2]),
+    parts: Parts,
+) -> (Lit, Option<u8>) {
+    let plain = (sum(parts.body, parts.gloss), None);
+    let (Some(texture), Some(own)) = (scene.texture(texture), scene.mesh(mesh).coordinates) else {
+        return plain;
+    };
+    let sampler = Sampler::new(scene, texture, own);
+    let (path, place) = sampler.point(place);
+    if material.coloured {
+        match sampler.colour(&path, place) {
+            Some(texel) => (on_texel(parts, texel), None),
+            None => plain,
+        }
+    } else {
+        let base = sampler.nearest(&path, place).unwrap_or(NO_TEXEL);
+        (sum(parts.body, parts.gloss), Some(base % BASES as u8))
     }
 }
 

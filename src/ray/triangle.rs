@@ -1,6 +1,6 @@
 //! A ray and a triangle.
 
-use super::grid_ray::{GridRay, component};
+use super::grid_ray::GridRay;
 use crate::math::{mul_high, mul_high_u, product, reciprocal};
 use crate::scene::{Mesh, Meshlet, Scene};
 
@@ -69,33 +69,29 @@ impl<'a> Points<'a> {
         corners.unwrap_or_default().map(usize::from)
     }
 
-    /// A vertex's place on one axis of the grid, in grid steps.
-    #[inline(always)]
-    fn steps(&self, vertex: &[i16; 4], fine: Option<&[u8; 4]>, axis: usize) -> i32 {
-        let base = component(&self.meshlet.base, axis);
-        let shift = self.meshlet.shifts.get(axis).copied().unwrap_or(0);
-        let own = i32::from(i16::from_le(vertex.get(axis).copied().unwrap_or(0)));
-        let low = fine.map_or(0, |fine| fine.get(axis).copied().unwrap_or(0));
-        base.wrapping_add(own.wrapping_shl(shift.into()))
-            .wrapping_add(low.into())
-    }
-
     /// A vertex's place, in grid steps.
     #[inline(always)]
     pub(super) fn place(&self, number: usize) -> [i32; 3] {
-        let vertex = self.vertices.get(number).copied().unwrap_or_default();
-        let fine = self.fine.get(number);
-        [0, 1, 2].map(|axis| self.steps(&vertex, fine, axis))
+        let [x, y, z, _] = self.vertices.get(number).copied().unwrap_or_default();
+        let ([bx, by, bz], [sx, sy, sz]) = (self.meshlet.base, self.meshlet.shifts);
+        let along = |base: i32, own: i16, shift: u8| {
+            base.wrapping_add(i32::from(i16::from_le(own)).wrapping_shl(shift.into()))
+        };
+        let place = [along(bx, x, sx), along(by, y, sy), along(bz, z, sz)];
+        match self.fine.get(number) {
+            Some([fx, fy, fz, _]) => {
+                let [x, y, z] = place;
+                let [fx, fy, fz] = [*fx, *fy, *fz].map(i32::from);
+                [x.wrapping_add(fx), y.wrapping_add(fy), z.wrapping_add(fz)]
+            }
+            None => place,
+        }
     }
 
-    /// A vertex as it is off a ray's start, its axes in the order of `axes`.
+    /// A vertex as it is off a ray's start.
     #[inline(always)]
-    pub(super) fn off(&self, ray: &GridRay, number: usize, axes: [usize; 3]) -> [i32; 3] {
-        let vertex = self.vertices.get(number).copied().unwrap_or_default();
-        let fine = self.fine.get(number);
-        let along = |axis: usize| ray.off(axis, self.steps(&vertex, fine, axis));
-        let [x, y, z] = axes;
-        [along(x), along(y), along(z)]
+    pub(super) fn off(&self, ray: &GridRay, number: usize) -> [i32; 3] {
+        ray.off(self.place(number))
     }
 }
 
@@ -110,7 +106,7 @@ pub(super) fn meet(
 ) -> Option<TriangleHit> {
     let corners = points.corners(triangle);
     let [a, b, c] = corners;
-    let vertex = |corner: usize| ray.sheared(points.off(ray, corner, ray.axes));
+    let vertex = |corner: usize| ray.sheared(ray.in_order(points.off(ray, corner)));
     let (a, b, c) = (vertex(a), vertex(b), vertex(c));
     let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (a, b, c);
     // All to one side of the ray.

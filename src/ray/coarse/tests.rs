@@ -17,7 +17,7 @@ fn a_sphere_that_is_met_is_not_missed() {
     for size in [3e2, 2e4, 1.3e6, 9e8] {
         for _ in 0..60_000 {
             let mut place = || [0; 3].map(|_| next(&mut state) * size);
-            let (centre, origin, way) = (place(), place(), place());
+            let (centre, origin, way, aside) = (place(), place(), place(), place());
             let length = way.iter().map(|c| c * c).sum::<f64>().sqrt();
             let way = way.map(|c| c / length);
             let radius = (next(&mut state).powi(2) * size * 0.3).max(1.0);
@@ -36,7 +36,15 @@ fn a_sphere_that_is_met_is_not_missed() {
                 far: FAR,
                 on: 0,
             };
-            let coarse = unit.ray(&ray);
+            // A ray beside it that is thick enough, half of the times.
+            let length = aside.iter().map(|c| c * c).sum::<f64>().sqrt();
+            let around = (next(&mut state) * size * 0.2).max(0.0);
+            let by = aside.map(|c| c / length * around * 0.999);
+            let beside = Ray {
+                origin: bits([0, 1, 2].map(|axis| origin[axis] + by[axis])),
+                ..ray
+            };
+            let coarse = unit.ray(&beside, around.ceil() as u32);
             let is_missed = coarse.is_some_and(|coarse| sphere.missed(&coarse));
             assert!(!(meets && is_missed), "{ray:?} {sphere:?}");
             met += u32::from(meets);
@@ -58,6 +66,6 @@ fn far_rays_are_not_told() {
             far: FAR,
             on: 0,
         };
-        assert!(unit.ray(&ray).is_none(), "{c}");
+        assert!(unit.ray(&ray, 0).is_none(), "{c}");
     }
 }
