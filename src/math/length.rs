@@ -154,7 +154,7 @@ pub fn direction(v: [i32; 3]) -> Option<(ShortUnit, Scaled)> {
     let round = 1 << (13 - up);
     let unit = short.map(|c| (mul_high(c << 15, root as i32) + round) >> down_by);
     let length = mul_high((squared >> 2) as i32, root as i32) as u32;
-    Some((unit, Scaled::new(length, up as i32 - 11 + down)))
+    Some((unit, Scaled::new(length, up - 11 + down)))
 }
 
 /// The dot product of two directions, 28 fractional bits.
