@@ -14,7 +14,7 @@ pub fn rotate(camera: &mut Camera, right: f64, down: f64) {
     let azimuth = DQuat::from_axis_angle(up, (-right * TURN).to_radians());
     let offset = azimuth * (eye - focus);
     let side = up.cross(-offset).normalize_or(DVec3::X);
-    let elevation = DQuat::from_axis_angle(side, (-down * TURN).to_radians());
+    let elevation = DQuat::from_axis_angle(side, (down * TURN).to_radians());
     let offset = elevation * offset;
     camera.position = (focus + offset).into();
     // Perpendicular to the line of sight, so that going over the top is like going anywhere.
