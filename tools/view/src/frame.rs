@@ -111,8 +111,10 @@ pub fn draw(state: &State, picture: Option<&Picture>, look: &Look) -> Canvas {
         words(&mut canvas, state, picture, look);
     }
     if let Some(error) = state.error() {
+        // Over the figures: the last picture stays in sight.
         let lines = wrapped(error, letters(look));
-        box_of_lines(&mut canvas, look, 0, ERROR, &lines);
+        let top = look.size[1] as i32 - box_height(look, &lines);
+        box_of_lines(&mut canvas, look, top, ERROR, &lines);
     }
     if state.help() {
         help(&mut canvas, look);
@@ -195,7 +197,12 @@ fn words(canvas: &mut Canvas, state: &State, picture: Option<&Picture>, look: &L
     }
 }
 
-/// Lines in a box across the window, from a row on; gives the row under it.
+/// How high a box of lines is.
+fn box_height(look: &Look, lines: &[String]) -> i32 {
+    (lines.len() as i32 * LINE as i32 + MARGIN as i32) * look.scale as i32
+}
+
+/// Lines in a box across the window, from a row on.
 fn box_of_lines(canvas: &mut Canvas, look: &Look, top: i32, back: Colour, lines: &[String]) {
     let step = (LINE * look.scale) as i32;
     let edge = (MARGIN / 2 * look.scale) as i32;
@@ -203,7 +210,7 @@ fn box_of_lines(canvas: &mut Canvas, look: &Look, top: i32, back: Colour, lines:
         x: 0,
         y: top,
         width: look.size[0],
-        height: (lines.len() as i32 * step + 2 * edge) as u32,
+        height: box_height(look, lines) as u32,
     };
     canvas.mix(rect, back, 236);
     for (row, line) in (0..).zip(lines) {

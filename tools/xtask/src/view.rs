@@ -40,8 +40,8 @@ const ZOOM: usize = 2;
 /// Two balls, of which nothing moves.
 const SCENE: &str = r##"
 [display]
-width = 160
-height = 120
+width = 320
+height = 240
 background = "#203040"
 
 [camera]
@@ -108,7 +108,7 @@ pub fn run(tally: &mut Tally) {
         }),
         ("shows another panel when N is pressed", |window| {
             window.press("shift+n")?;
-            let panel = SCENE.replace("width = 160\nheight = 120", "panel = \"gba-240x160\"");
+            let panel = SCENE.replace("width = 320\nheight = 240", "panel = \"gba-240x160\"");
             window.shows(&panel, &[])?;
             window.press("n")?;
             window.shows(SCENE, &[])

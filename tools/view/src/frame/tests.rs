@@ -76,8 +76,13 @@ fn errors_help_and_bands_are_seen() {
         state.handle(key);
         assert!(!differs(&state), "{name}");
     }
-    state.handle(Event::Failed("wrong".into()));
+    state.handle(Event::Failed("wrong: ".repeat(30)));
     assert!(differs(&state));
+    // It leaves the panel alone.
+    let with_error = draw(&state, Some(&picture), &look);
+    let Place { rect, .. } = place(&state, &look);
+    let above = ((rect.y as u32 + rect.height) * look.size[0]) as usize;
+    assert_eq!(with_error.pixels[..above], plain.pixels[..above]);
     // Without a picture there is the panel, dark.
     let dark = draw(&state, None, &look);
     let Place { rect, .. } = place(&state, &look);
