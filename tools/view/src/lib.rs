@@ -8,7 +8,7 @@
 //! keys, mouse, file ──> State ──job──> Worker (bakes, renders) ──picture──> frame ──> window
 //! ```
 //!
-//! [`State`] decides, and knows no window; everything but `window.rs` is tested without one.
+//! `State` decides, and knows no window; everything but `window.rs` is tested without one.
 
 mod camera;
 mod canvas;
