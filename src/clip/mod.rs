@@ -7,6 +7,7 @@
 //! is merely off the screen is not clipped but scissored, so that its edges do
 //! not move.
 
+use crate::math::keep_rolled;
 use crate::vertex::{ClipVertex, ScreenVertex, guard, outcode, outside, project};
 use crate::view::ActorView;
 
@@ -65,6 +66,7 @@ const PLANES: [u8; 6] = [
 ];
 
 /// Clips a triangle against all planes.
+#[inline(never)]
 pub fn clip(view: &ActorView, triangle: [ClipVertex; 3]) -> Polygon {
     const ONE: i32 = 1 << WEIGHT_BITS;
     let corners = [[ONE, 0, 0], [0, ONE, 0], [0, 0, ONE]];
@@ -77,24 +79,26 @@ pub fn clip(view: &ActorView, triangle: [ClipVertex; 3]) -> Polygon {
             continue;
         }
         let mut kept = heapless::Vec::<Point, MOST_VERTICES>::new();
-        let Some(mut before) = points.last().copied() else {
+        let Some(mut before) = points.last() else {
             break;
         };
+        let mut was_inside = inside(before);
         for point in &points {
-            if inside(&before) != inside(point) {
+            let is_inside = inside(point);
+            if was_inside != is_inside {
                 // From the inner to the outer end, so that both triangles of an
                 // edge find the same point.
-                let (inner, outer) = if inside(point) {
-                    (point, &before)
+                let (inner, outer) = if is_inside {
+                    (point, before)
                 } else {
-                    (&before, point)
+                    (before, point)
                 };
                 let _ = kept.push(crossing(view, plane, inner, outer));
             }
-            if inside(point) {
+            if is_inside {
                 let _ = kept.push(*point);
             }
-            before = *point;
+            (before, was_inside) = (point, is_inside);
         }
         points = kept;
     }
@@ -138,6 +142,7 @@ pub fn clip_line(
 }
 
 /// How far inside a plane a vertex is, in units of that plane.
+#[inline(never)]
 fn signed_distance(view: &ActorView, plane: u8, v: &ClipVertex) -> i64 {
     let (x, y, distance) = (i64::from(v.x), i64::from(v.y), i64::from(v.distance));
     // The guard is linear in distance only in front of the eye, where it is
@@ -154,6 +159,7 @@ fn signed_distance(view: &ActorView, plane: u8, v: &ClipVertex) -> i64 {
 }
 
 /// Where an edge crosses a plane.
+#[inline(never)]
 fn crossing(view: &ActorView, plane: u8, inner: &Point, outer: &Point) -> Point {
     let (a, b) = (&inner.vertex, &outer.vertex);
     let (from, to) = (
@@ -164,25 +170,29 @@ fn crossing(view: &ActorView, plane: u8, inner: &Point, outer: &Point) -> Point 
     // 34 bits at most: brought to 30 so that the products fit.
     let down = (34 - span.leading_zeros() as i32).max(0);
     let (from, span) = (from >> down, span >> down);
-    let part = |a: i32, b: i32| {
-        let way = (i64::from(b) - i64::from(a)) * from;
+    let all = |p: &Point| {
+        let (ClipVertex { x, y, .. }, [wa, wb, wc]) = (p.vertex, p.weights);
+        [x, y, p.vertex.distance, p.vertex.level, wa, wb, wc]
+    };
+    let mut parts = all(inner);
+    for (part, other) in parts.iter_mut().zip(all(outer)) {
+        let way = (i64::from(other) - i64::from(*part)) * from;
         let way = (way + span / 2).checked_div_euclid(span).unwrap_or(0);
-        (i64::from(a) + way) as i32
-    };
-    let vertex = ClipVertex {
-        x: part(a.x, b.x),
-        y: part(a.y, b.y),
-        distance: part(a.distance, b.distance),
-        level: part(a.level, b.level),
-    };
-    let mut weights = inner.weights;
-    for (weight, other) in weights.iter_mut().zip(outer.weights) {
-        *weight = part(*weight, other);
+        *part = (i64::from(*part) + way) as i32;
+        keep_rolled();
     }
+    let [x, y, distance, level, weights @ ..] = parts;
+    let vertex = ClipVertex {
+        x,
+        y,
+        distance,
+        level,
+    };
     Point { vertex, weights }
 }
 
 /// A vertex on a plane may have rounded to its outer side: taken back.
+#[inline(never)]
 fn held(view: &ActorView, v: &ClipVertex) -> ClipVertex {
     let mut v = *v;
     v.distance = v.distance.max(view.near).min(view.far);

@@ -5,7 +5,7 @@ use crate::scene::Meshlet;
 use crate::view::{ActorView, EyeInGrid};
 
 /// Bits that a distance is brought to before it is squared.
-const BITS: i32 = 24;
+const BITS: i32 = 20;
 
 /// Whether every face of the meshlet is seen from behind (`front`: from the
 /// front).
@@ -28,13 +28,17 @@ pub(super) fn faces_away(view: &ActorView, meshlet: &Meshlet, front: bool) -> bo
     };
     let largest = to_meshlet.iter().fold(0, |m: i64, c| m.max(c.abs()));
     let down = (64 - largest.leading_zeros() as i32 - BITS).max(0);
-    let [x, y, z] = to_meshlet.map(|c| c >> down);
-    let [ax, ay, az] = meshlet
-        .cone_axis
-        .map(|c| if front { -i64::from(c) } else { i64::from(c) });
+    let [x, y, z] = to_meshlet.map(|c| (c >> down) as i32);
+    let [ax, ay, az] = meshlet.cone_axis.map(i32::from);
+    let along = x * ax + y * ay + z * az;
+    let along = if front { along.wrapping_neg() } else { along };
     // Rounding down costs at most 1 in each of x, y, z and the margin.
-    let margin = (margin >> down) + 4;
-    let along = x * ax + y * ay + z * az - margin * 127;
-    let distance = (x * x + y * y + z * z).unsigned_abs().isqrt() as i64 + 3;
-    along >= i64::from(meshlet.cone_cutoff) * distance
+    let margin = (margin >> down).min(2 << BITS) as i32 + 4;
+    let along = along - margin * 127;
+    // `along >= cutoff * (distance + 3)`, squared; a distance is at most this sum.
+    let sum = x.abs() + y.abs() + z.abs();
+    let squared = |v: i32| i64::from(v) * i64::from(v);
+    let distance = squared(x) + squared(y) + squared(z) + i64::from(6 * sum + 9);
+    let cutoff = i32::from(meshlet.cone_cutoff);
+    along > 0 && squared(along) >= i64::from(cutoff * cutoff) * distance
 }

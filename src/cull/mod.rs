@@ -34,6 +34,7 @@ pub enum Verdict {
 
 /// Judges a meshlet. Never calls one invisible that has a pixel to show, where
 /// pixels may be `reach` pixels off the meshlet's place.
+#[inline(never)]
 pub fn judge(view: &ActorView, meshlet: &Meshlet, height: u16, reach: u16) -> Verdict {
     let away = match view.material.cull {
         Cull::Back => cone::faces_away(view, meshlet, false),

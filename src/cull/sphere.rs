@@ -58,6 +58,7 @@ pub(super) fn extent(
 }
 
 /// A clip coordinate in sub-pixels from the middle, to within 2.
+#[inline(never)]
 fn screen(view: &ActorView, v: i64, distance: i32) -> i64 {
     if !view.perspective {
         return i64::from(view.parallel(v.clamp(i32::MIN.into(), i32::MAX.into()) as i32)) >> 6;

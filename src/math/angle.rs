@@ -102,6 +102,7 @@ impl Angle {
     /// Sine and cosine in Q30. Error below 2^-28, tested over the whole range:
     /// the nearest of 64 table steps a quarter turn, and the addition theorem
     /// with Taylor's series for the rest.
+    #[inline(never)]
     pub fn sin_cos(self) -> (i32, i32) {
         const STEP_BITS: u32 = 30 - 6;
         let in_quarter = (self.0 & 0x3fff_ffff).wrapping_add(1 << (STEP_BITS - 1));

@@ -1,6 +1,6 @@
 //! Rotation matrices in Q30.
 
-use super::{Angle, Unit3, dot};
+use super::{Angle, Unit3, dot, keep_rolled};
 
 /// A rotation: three rows of Q30 entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,11 +69,17 @@ impl Rotation {
 
     /// First `self`, then `next`: the matrix product `next * self`.
     #[must_use]
+    #[inline(never)]
     pub fn then(&self, next: &Self) -> Self {
         let columns = self.transposed().rows;
-        Self {
-            rows: next.rows.map(|row| columns.map(|column| dot(row, column))),
+        let mut product = Self { rows: [[0; 3]; 3] };
+        for (to, row) in product.rows.iter_mut().zip(next.rows) {
+            for (to, column) in to.iter_mut().zip(columns) {
+                *to = dot(row, column);
+                keep_rolled();
+            }
         }
+        product
     }
 
     /// The inverse.
@@ -91,6 +97,7 @@ impl Rotation {
     }
 
     /// Turns a vector of any scale below 2^47, rounded down.
+    #[inline(never)]
     pub fn apply_wide(&self, [x, y, z]: [i64; 3]) -> [i64; 3] {
         self.rows
             .map(|[a, b, c]| scale_q30(a, x) + scale_q30(b, y) + scale_q30(c, z))

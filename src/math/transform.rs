@@ -130,6 +130,7 @@ impl Transform<World, View> {
 }
 
 /// World to view directions; see [`Transform::look_at`].
+#[inline(never)]
 pub(crate) fn view_rotation(position: Vec3, focal_point: Vec3, view_up: Vec3) -> Option<Rotation> {
     let z: Unit3 = normalise(position.minus(focal_point))?;
     let up: Unit3 = normalise(view_up.to_bits().map(i64::from))?;

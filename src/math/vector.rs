@@ -1,6 +1,6 @@
 //! Vectors in space, and the exact products that the view needs once a frame.
 
-use super::World;
+use super::{World, keep_rolled};
 
 /// A place or a distance in space.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -81,8 +81,12 @@ pub fn normalise(v: [i64; 3]) -> Option<Unit3> {
     let (x, y, z) = (fit(x), fit(y), fit(z));
     let squared = (x * x + y * y + z * z) as u64;
     let length = squared.isqrt().max(1) as i64;
-    let unit = |c: i64| ((c << 30) / length).clamp(-(1 << 30), 1 << 30) as i32;
-    Some([unit(x), unit(y), unit(z)])
+    let mut unit = [0; 3];
+    for (to, c) in unit.iter_mut().zip([x, y, z]) {
+        *to = ((c << 30) / length).clamp(-(1 << 30), 1 << 30) as i32;
+        keep_rolled();
+    }
+    Some(unit)
 }
 
 /// Cross product of two Q30 directions, in Q60 before any rounding.

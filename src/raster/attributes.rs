@@ -16,38 +16,56 @@ pub(super) struct Attributes {
 }
 
 impl Attributes {
-    #[inline(always)]
-    pub(super) fn depth(plane: &Plane, shape: &Shape<'_>, row: i32) -> Option<Self> {
-        let values = shape.sorted.map(|v| v.z().to_bits() as i32);
-        let mut z = attribute(plane, shape, values, 4, row)?;
-        if z.gradient.is_steep() {
-            z = steep_depth(shape.sorted, shape.area, values, row)?;
-        }
-        Some(Self {
-            z,
-            level: Attribute::default(),
-        })
+    /// Depth alone.
+    pub(super) fn depth(shape: &Shape<'_>, row: i32) -> Option<Attribute> {
+        Self::new(shape, None, row).map(|at| at.z)
     }
 
-    #[inline(always)]
-    pub(super) fn depth_and_level(plane: &Plane, shape: &Shape<'_>, row: i32) -> Option<Self> {
+    pub(super) fn depth_and_level(shape: &Shape<'_>, row: i32) -> Option<Self> {
         let levels = shape.sorted.map(|v| i32::from(v.level().to_bits()));
-        let level = attribute(plane, shape, levels, 6, row)?;
-        Some(Self {
-            level,
-            ..Self::depth(plane, shape, row)?
-        })
+        Self::new(shape, Some((levels, 6)), row)
     }
 
     /// Depth, and level times depth instead of the level.
-    pub(super) fn for_perspective(plane: &Plane, shape: &Shape<'_>, row: i32) -> Option<Self> {
+    pub(super) fn for_perspective(shape: &Shape<'_>, row: i32) -> Option<Self> {
         let products = shape.sorted.map(perspective::level_times_depth);
         // Whole units of 2^-30 are fine enough: no further fraction.
-        let level = attribute(plane, shape, products, 16, row)?;
+        let both = Self::new(shape, Some((products, 16)), row)?;
         Some(Self {
-            level: level.unrounded_value(),
-            ..Self::depth(plane, shape, row)?
+            level: both.level.unrounded_value(),
+            ..both
         })
+    }
+
+    /// Depth, and what else there is at the vertices, with its fractional bits; `None` if a
+    /// gradient exceeds the format.
+    #[inline(never)]
+    fn new(shape: &Shape<'_>, level: Option<([i32; 3], i32)>, row: i32) -> Option<Self> {
+        let plane = Plane::new(shape.sorted, shape.area);
+        let [top, ..] = shape.sorted;
+        let place = [top.x().to_bits(), top.y().to_bits()];
+        let depths = shape.sorted.map(|v| v.z().to_bits() as i32);
+        let [a, b, c] = depths;
+        let gradient = plane.gradient_here(b - a, c - a, 4)?;
+        let mut z = Attribute::new((a as u32) << (16 - 4), gradient, place, row);
+        let level = match level {
+            Some(([a, b, c], fraction)) => {
+                let gradient = plane.gradient(b - a, c - a, fraction)?;
+                Attribute::new((a as u32) << (16 - fraction), gradient, place, row)
+            }
+            None => Attribute::default(),
+        };
+        if z.gradient.is_steep() {
+            z = steep_depth(shape.sorted, shape.area, depths, row)?;
+        }
+        Some(Self { z, level })
+    }
+}
+
+impl Stepped for Attribute {
+    #[inline(always)]
+    fn advance(&mut self) {
+        self.advance();
     }
 }
 
@@ -89,26 +107,5 @@ pub(super) fn steep_depth(
         gradient,
         place,
         [column, row],
-    ))
-}
-
-/// An attribute with `fraction` fractional bits at the three vertices, on `row`;
-/// `None` if its gradient exceeds the format.
-#[inline(always)]
-fn attribute(
-    plane: &Plane,
-    shape: &Shape<'_>,
-    [a, b, c]: [i32; 3],
-    fraction: i32,
-    row: i32,
-) -> Option<Attribute> {
-    let gradient = plane.gradient(b - a, c - a, fraction)?;
-    let value = (a as u32) << (16 - fraction);
-    let [top, ..] = shape.sorted;
-    Some(Attribute::new(
-        value,
-        gradient,
-        [top.x().to_bits(), top.y().to_bits()],
-        row,
     ))
 }

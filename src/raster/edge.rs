@@ -20,8 +20,10 @@ pub(super) struct Edge {
 }
 
 impl Edge {
-    /// The edge from `upper` to `lower`, at the centre of screen row `row`.
-    #[inline(always)]
+    /// The edge from `upper` to `lower`, at the centre of screen row `row`. Long where there
+    /// is no divide.
+    #[cfg_attr(narrow_multiply, inline(never))]
+    #[cfg_attr(not(narrow_multiply), inline(always))]
     pub(super) fn new(upper: &ScreenVertex, lower: &ScreenVertex, row: i32) -> Self {
         let (x, y) = (upper.x().to_bits(), upper.y().to_bits());
         let (dx, height) = (lower.x().to_bits() - x, lower.y().to_bits() - y);

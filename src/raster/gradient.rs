@@ -107,8 +107,14 @@ impl Plane {
     /// `v1` and `v2` at the others, in units with `fraction` fractional bits.
     /// `None` if it exceeds the format: the triangle is a sliver, thinner than
     /// two pixels.
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn gradient(&self, v1: i32, v2: i32, fraction: i32) -> Option<Gradient> {
+        self.gradient_here(v1, v2, fraction)
+    }
+
+    /// The same, where a call would show.
+    #[inline(always)]
+    pub(super) fn gradient_here(&self, v1: i32, v2: i32, fraction: i32) -> Option<Gradient> {
         let ([x1, y1], [x2, y2]) = (self.d1, self.d2);
         let values = v1.abs() | v2.abs();
         // Or larger ones whose values differ less, if none is a sliver: below, what is

@@ -8,7 +8,7 @@
 
 use super::attribute::Attribute;
 use super::triangle::Seen;
-use crate::math::{Depth, Level, SUBPX_BITS, mul_high, reciprocal};
+use crate::math::{Depth, Level, SUBPX_BITS, keep_rolled, mul_high, reciprocal};
 use crate::vertex::ScreenVertex;
 
 /// Pixels between exact levels.
@@ -89,8 +89,14 @@ pub(super) fn gouraud(
 ) {
     for (indices, depths) in indices.chunks_mut(RUN).zip(depths.chunks_mut(RUN)) {
         let last = indices.len() as i32 - 1;
-        let at = |column| level(z.at(column), level_depth.at(column), range);
-        let (from, to) = (at(column), at(column + last));
+        let mut ends = [column, column + last].map(|column| column as u32);
+        for end in &mut ends {
+            let column = *end as i32;
+            *end = level(z.at(column), level_depth.at(column), range);
+            // There once: it is long.
+            keep_rolled();
+        }
+        let [from, to] = ends;
         let over = STEPS.get(last as usize).copied().unwrap_or(0);
         // 18 bits and a sign, times 14: 31 bits and a sign, as 255 is below 256.
         let step = (((to as i32 - from as i32) >> 6) * over) >> 7;

@@ -3,10 +3,9 @@
 use core::ops::Range;
 
 use super::edge::Edge;
-use super::gradient::Plane;
 use super::triangle::first_centre;
 use crate::frame::Target;
-use crate::math::Depth;
+use crate::math::{Depth, keep_rolled};
 use crate::vertex::ScreenVertex;
 
 /// A triangle to be filled.
@@ -37,7 +36,7 @@ enum Planes<A> {
     Sliver,
 }
 
-/// Two edges between which rows are filled. Handed on by value: edges behind pointers
+/// Two edges between which rows are filled. Taken by value into a loop: edges behind pointers
 /// would be loaded and stored row by row.
 #[derive(Clone, Copy)]
 struct Between {
@@ -75,7 +74,7 @@ pub(super) struct Span<'t, C = u8> {
 pub(super) fn scan<A: Stepped, C>(
     target: &mut Target<'_, C>,
     shape: &Shape<'_>,
-    setup: impl Fn(&Plane, i32) -> Option<A>,
+    setup: impl Fn(i32) -> Option<A>,
     draw: impl Fn(Span<'_, C>, &A),
     sliver: impl Fn(Span<'_, C>),
 ) {
@@ -85,28 +84,34 @@ pub(super) fn scan<A: Stepped, C>(
     let bend = first_centre(middle.y().to_bits()).max(first).min(end);
     let band_top = i32::from(target.top);
     let mut planes = Planes::Unknown;
-    let mut long = Edge::new(top, bottom, first);
-    // If the middle vertex is to its right.
+    // The long edge stays for both halves; it is on the left if the middle vertex is to its
+    // right.
     let long_is_left = shape.area > 0;
+    let long = Edge::new(top, bottom, first);
+    let mut sides = Between {
+        left: long,
+        right: long,
+        width,
+    };
     for (from, to, upper, lower) in [(first, bend, top, middle), (bend, end, middle, bottom)] {
+        // There once, not once for each half: it is long.
+        keep_rolled();
         if from >= to {
             continue;
         }
         let short = Edge::new(upper, lower, from);
-        let (left, right) = if long_is_left {
-            (long, short)
+        if long_is_left {
+            sides.right = short;
         } else {
-            (short, long)
-        };
-        let mut sides = Between { left, right, width };
+            sides.left = short;
+        }
         let mut row = from;
         if let Planes::Unknown = planes {
             // The first rows of a triangle are often empty, all rows of a small one.
             loop {
                 let (left, right) = sides.span();
                 if left < right {
-                    let plane = Plane::new(shape.sorted, shape.area);
-                    planes = setup(&plane, row).map_or(Planes::Sliver, Planes::Stepped);
+                    planes = setup(row).map_or(Planes::Sliver, Planes::Stepped);
                     break;
                 }
                 sides.advance();
@@ -132,11 +137,6 @@ pub(super) fn scan<A: Stepped, C>(
                 sides = sliver_rows(target, row..to, sides, &sliver);
             }
         }
-        long = if long_is_left {
-            sides.left
-        } else {
-            sides.right
-        };
     }
 }
 

@@ -7,7 +7,7 @@
 use super::gradient::{Place, UNROUNDED_BITS, places};
 use super::scan::{Shape, Span};
 use super::span::Fill;
-use crate::math::Depth;
+use crate::math::{Depth, keep_rolled};
 
 /// Fractional bits of a weight.
 pub(super) const WEIGHT_BITS: u32 = 20;
@@ -66,6 +66,7 @@ fn nearer<C>(span: Span<'_, C>, shape: &Shape<'_>, mut draw: impl FnMut(&mut C, 
 }
 
 /// Weights of the second and the third vertex at a pixel's centre.
+#[inline(never)]
 pub(super) fn weights([a, b, c]: [Place; 3], area: i64, pixel: [i32; 2]) -> [i64; 2] {
     const HALF: i64 = 1 << (UNROUNDED_BITS - 1);
     let [px, py] = pixel.map(|p| (i64::from(p) << UNROUNDED_BITS) + HALF);
@@ -85,19 +86,29 @@ pub(super) fn weights([a, b, c]: [Place; 3], area: i64, pixel: [i32; 2]) -> [i64
         // held within the vertices' range.
         quotient.clamp(-1 << WEIGHT_BITS, 2 << WEIGHT_BITS)
     };
-    [part(edge(c, a)), part(edge(a, b))]
+    let mut weights = [0; 2];
+    for (weight, (p, q)) in weights.iter_mut().zip([(c, a), (a, b)]) {
+        *weight = part(edge(p, q));
+        keep_rolled();
+    }
+    weights
 }
 
 /// Weights in space from those on the screen: each times the vertex's depth, over
 /// the depth here.
+#[inline(never)]
 fn in_space([_, b, c]: [i64; 3], [wb, wc]: [i64; 2], here: i64) -> [i64; 2] {
-    [wb * b, wc * c].map(|w| {
-        let weight = w.checked_div(here).unwrap_or(0);
-        weight.clamp(-1 << WEIGHT_BITS, 2 << WEIGHT_BITS)
-    })
+    let mut weights = [wb * b, wc * c];
+    for weight in &mut weights {
+        let in_space = weight.checked_div(here).unwrap_or(0);
+        *weight = in_space.clamp(-1 << WEIGHT_BITS, 2 << WEIGHT_BITS);
+        keep_rolled();
+    }
+    weights
 }
 
 /// The weighted mean, held within the three values.
+#[inline(never)]
 pub(super) fn mix([a, b, c]: [i64; 3], [wb, wc]: [i64; 2]) -> i64 {
     let mean = a + (((b - a) * wb + (c - a) * wc) >> WEIGHT_BITS);
     mean.max(a.min(b).min(c)).min(a.max(b).max(c))

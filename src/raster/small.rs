@@ -14,7 +14,7 @@ use super::gradient::SmallPlane;
 use super::span::{self, Fill};
 use super::triangle::Seen;
 use crate::frame::Target;
-use crate::math::{Depth, HALF_PX, SUBPX_BITS, SubPx};
+use crate::math::{Depth, HALF_PX, SUBPX_BITS, SubPx, keep_rolled};
 use crate::vertex::ScreenVertex;
 
 /// Most columns and rows from one vertex to another.
@@ -177,7 +177,7 @@ fn follow_down<const LEFT: bool>(
             while value < 0 {
                 value += dy;
                 at += 1;
-                span::keep_rolled();
+                keep_rolled();
             }
             *side::<LEFT>(row) = at as u8;
             value -= dx;
@@ -189,7 +189,7 @@ fn follow_down<const LEFT: bool>(
             while value >= 0 {
                 value -= dy;
                 at -= 1;
-                span::keep_rolled();
+                keep_rolled();
             }
             *side::<LEFT>(row) = at as u8;
             value -= dx;

@@ -4,7 +4,7 @@
 //! stands there. Slices are cut once a span, so that no index is checked in the
 //! loop.
 
-use crate::math::Depth;
+use crate::math::{Depth, keep_rolled};
 
 /// What a triangle is filled with.
 #[derive(Clone, Copy, Debug)]
@@ -144,13 +144,6 @@ fn put(pixel: &mut u8, depth: &mut Depth, z: u32, index: u8) {
         *depth = here;
         *pixel = index;
     }
-}
-
-/// Keeps the compiler from unrolling a loop: where it runs two or three times, what
-/// goes before an unrolled one costs more than the loop.
-#[inline(always)]
-pub(super) fn keep_rolled() {
-    core::hint::black_box(());
 }
 
 /// Depth alone.

@@ -48,7 +48,7 @@ pub fn draw_surface<const A: usize, C: Stored>(
     scan(
         target,
         &shape,
-        |plane, row| Surface::new(plane, &shape, &corners, row),
+        |row| Surface::new(&shape, &corners, row),
         |span, surface| surface.runs(span, column, shade),
         |span| sliver(span, &shape, &corners, shade),
     );

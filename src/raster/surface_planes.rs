@@ -1,5 +1,6 @@
 //! Depth, nearness and attributes of a surface's triangle, row by row and run by run.
 
+use super::attribute::Attribute;
 use super::attributes::Attributes;
 use super::corners::{Corners, SurfaceKind};
 use super::gradient::Plane;
@@ -48,7 +49,7 @@ impl Linear {
 /// A triangle's depth, nearness and attributes on one row.
 #[derive(Clone, Copy)]
 pub(super) struct Surface<const A: usize> {
-    depth: Attributes,
+    depth: Attribute,
     nearness: Linear,
     attributes: [Linear; A],
     /// What the attributes were divided by.
@@ -87,14 +88,10 @@ const OVER: [i32; RUN as usize + 1] = {
 };
 
 impl<const A: usize> Surface<A> {
-    pub(super) fn new(
-        plane: &Plane,
-        shape: &Shape<'_>,
-        corners: &Corners<A>,
-        row: i32,
-    ) -> Option<Self> {
+    pub(super) fn new(shape: &Shape<'_>, corners: &Corners<A>, row: i32) -> Option<Self> {
+        let plane = &Plane::new(shape.sorted, shape.area);
         let mut surface = Self {
-            depth: Attributes::depth(plane, shape, row)?,
+            depth: Attributes::depth(shape, row)?,
             nearness: Linear::default(),
             attributes: [Linear::default(); A],
             shifts: [0; A],
@@ -133,7 +130,7 @@ impl<const A: usize> Surface<A> {
             mut depths,
             place: [mut left, row],
         } = span;
-        let z = &self.depth.z;
+        let z = &self.depth;
         let mut from = self.here(left - column, &Here::default());
         let mut footprint = self.footprint(&from);
         loop {

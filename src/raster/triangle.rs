@@ -180,7 +180,7 @@ fn fill_triangle(
 }
 
 /// A triangle of any size.
-#[inline(never)]
+#[inline(always)]
 fn fill_large(
     target: &mut Target<'_>,
     triangle: [&ScreenVertex; 3],
@@ -195,48 +195,63 @@ fn fill_large(
         rows: seen.rows,
         perspective,
     };
-    let columns = columns(&shape);
-    let sliver = |span: Span<'_>| sliver::span(span, &shape, fill);
     match fill {
         Fill::Depth => {}
         // Without the feature there is none.
         Fill::Gouraud(_) if !cfg!(feature = "gouraud") => {}
-        Fill::Flat(index) => scan(
-            target,
-            &shape,
-            |plane, row| Attributes::depth(plane, &shape, row),
-            |span, at| {
-                let z = at.z.at(columns(&span));
-                span::long_flat(span.indices, span.depths, z, at.z.gradient.x, index);
-            },
-            sliver,
-        ),
-        Fill::Gouraud(shades) if shape.perspective => {
-            let range = perspective::range(shape.sorted);
-            scan(
-                target,
-                &shape,
-                |plane, row| Attributes::for_perspective(plane, &shape, row),
-                |span, at| {
-                    let (planes, columns) = ((&at.z, &at.level), columns(&span));
-                    perspective::gouraud(span.indices, span.depths, planes, range, columns, shades);
-                },
-                sliver,
-            );
-        }
-        Fill::Gouraud(shades) => scan(
-            target,
-            &shape,
-            |plane, row| Attributes::depth_and_level(plane, &shape, row),
-            |span, at| {
-                let columns = columns(&span);
-                let z = (at.z.at(columns), at.z.gradient.x);
-                let level = (at.level.at(columns), at.level.gradient.x);
-                span::gouraud::<false>(span.indices, span.depths, z, level, shades);
-            },
-            sliver,
-        ),
+        Fill::Flat(index) => fill_flat(target, &shape, index),
+        Fill::Gouraud(shades) if perspective => fill_in_perspective(target, &shape, shades),
+        Fill::Gouraud(shades) => fill_gouraud(target, &shape, shades),
     }
+}
+
+/// Functions of their own, so that the stack holds what one of them needs.
+#[inline(never)]
+fn fill_flat(target: &mut Target<'_>, shape: &Shape<'_>, index: u8) {
+    let columns = columns(shape);
+    scan(
+        target,
+        shape,
+        |row| Attributes::depth(shape, row),
+        |span, z| {
+            let here = z.at(columns(&span));
+            span::long_flat(span.indices, span.depths, here, z.gradient.x, index);
+        },
+        |span| sliver::span(span, shape, Fill::Flat(index)),
+    );
+}
+
+#[inline(never)]
+fn fill_in_perspective(target: &mut Target<'_>, shape: &Shape<'_>, shades: &[u8; 256]) {
+    let columns = columns(shape);
+    let range = perspective::range(shape.sorted);
+    scan(
+        target,
+        shape,
+        |row| Attributes::for_perspective(shape, row),
+        |span, at| {
+            let (planes, columns) = ((&at.z, &at.level), columns(&span));
+            perspective::gouraud(span.indices, span.depths, planes, range, columns, shades);
+        },
+        |span| sliver::span(span, shape, Fill::Gouraud(shades)),
+    );
+}
+
+#[inline(never)]
+fn fill_gouraud(target: &mut Target<'_>, shape: &Shape<'_>, shades: &[u8; 256]) {
+    let columns = columns(shape);
+    scan(
+        target,
+        shape,
+        |row| Attributes::depth_and_level(shape, row),
+        |span, at| {
+            let columns = columns(&span);
+            let z = (at.z.at(columns), at.z.gradient.x);
+            let level = (at.level.at(columns), at.level.gradient.x);
+            span::gouraud::<false>(span.indices, span.depths, z, level, shades);
+        },
+        |span| sliver::span(span, shape, Fill::Gouraud(shades)),
+    );
 }
 
 /// From the attributes' place, the top vertex's column, to a span's first pixel.
@@ -272,8 +287,8 @@ pub fn draw_depth<C>(
     scan(
         target,
         &shape,
-        |plane, row| Attributes::depth(plane, &shape, row),
-        |span, at| span::depth(span.depths, at.z.at(columns(&span)), at.z.gradient.x),
+        |row| Attributes::depth(&shape, row),
+        |span, z| span::depth(span.depths, z.at(columns(&span)), z.gradient.x),
         |span| sliver::depth(span, &shape),
     );
     seen.filled()

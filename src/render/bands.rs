@@ -63,7 +63,9 @@ impl<'a, 'b> Bands<'a, 'b> {
 }
 
 impl<'a, 'b, P: Paint> Bands<'a, 'b, P> {
-    /// Some rows of a frame whose indices mean what `paint` says.
+    /// Some rows of a frame whose indices mean what `paint` says. What it takes to make them
+    /// is off the stack when they are drawn.
+    #[inline(never)]
     pub fn with(
         paint: P,
         scene: &'a Scene<'a>,
@@ -72,30 +74,30 @@ impl<'a, 'b, P: Paint> Bands<'a, 'b, P> {
         band: &'a mut Band<'b, P::Stored>,
         rows: Range<u16>,
     ) -> Self {
-        let mut stats = FrameStats::default();
         let (width, height) = (band.width(), pose.height);
         let rows = rows.start..rows.end.min(height);
 
         // 1. Viewports and their cameras; the actors' matrices and lights follow
         //    when first needed.
-        let mut actors = Actors::new(scene, pose, (width, height), work.actors);
-
-        // 2. Meshlets that may be seen, near ones first: once for the whole frame if
-        //    the list holds them, else for each band, as often as it takes.
-        let list = visible_list::fill(work.entries, None, scene, &mut actors, &rows, &mut stats);
-        let whole = list.last.is_none().then_some(list.entries.len());
-        Self {
+        let mut bands = Self {
             paint,
             scene,
             height,
-            actors,
+            actors: Actors::new(scene, pose, (width, height), work.actors),
             entries: work.entries,
-            whole,
+            whole: None,
             cache: MeshletCache::new(work.slots),
             band,
             rows,
-            stats,
-        }
+            stats: FrameStats::default(),
+        };
+
+        // 2. Meshlets that may be seen, near ones first: once for the whole frame if
+        //    the list holds them, else for each band, as often as it takes.
+        let (entries, actors) = (&mut *bands.entries, &mut bands.actors);
+        let list = visible_list::fill(entries, None, scene, actors, &bands.rows, &mut bands.stats);
+        bands.whole = list.last.is_none().then_some(list.entries.len());
+        bands
     }
 
     /// What was done up to now.

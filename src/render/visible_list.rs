@@ -6,7 +6,7 @@ use super::actors::Actors;
 use super::lines::{self, Pass};
 use super::stats::FrameStats;
 use crate::cull::{Verdict, judge};
-use crate::math::Rect;
+use crate::math::{Rect, keep_rolled};
 use crate::scene::Scene;
 use crate::scene::layout::MESHLETS;
 
@@ -91,6 +91,7 @@ pub(super) struct List<'e> {
 
 /// Lists the visible meshlets that touch `rows` and come after place `after`, as
 /// many as fit, near ones first.
+#[inline(never)]
 pub(super) fn fill<'e>(
     entries: &'e mut [Entry],
     after: Option<Place>,
@@ -173,6 +174,8 @@ fn places(scene: &Scene<'_>) -> impl Iterator<Item = (u16, u16)> {
 }
 
 /// Puts an entry into a full sorted list at its place; the last one falls out.
+#[cold]
+#[inline(never)]
 fn displace_last(list: &mut [Entry], entry: Entry) {
     let at = list.partition_point(|held| held.place() < entry.place());
     let Some(rest) = list.get_mut(at..) else {
@@ -182,19 +185,21 @@ fn displace_last(list: &mut [Entry], entry: Entry) {
     let mut carried = entry;
     for held in rest {
         core::mem::swap(held, &mut carried);
+        keep_rolled();
     }
 }
 
 /// Shell's sort with Ciura's gaps: small code, no recursion.
+#[inline(never)]
 fn sort(list: &mut [Entry]) {
     for gap in [701, 301, 132, 57, 23, 10, 4, 1] {
         for start in gap..list.len() {
             let mut at = start;
+            let Some(moved) = list.get(start).map(Entry::place) else {
+                break;
+            };
             while let Some(before) = at.checked_sub(gap) {
-                let (Some(a), Some(b)) = (list.get(before), list.get(at)) else {
-                    break;
-                };
-                if a.place() <= b.place() {
+                if list.get(before).is_none_or(|entry| entry.place() <= moved) {
                     break;
                 }
                 list.swap(before, at);

@@ -74,6 +74,7 @@ impl<'a> Scene<'a> {
     }
 
     /// Palette index by light level, for one material.
+    #[inline(never)]
     pub fn shade(&self, material: &Material) -> &'a [u8; 256] {
         const BLACK: &[u8; 256] = &[0; 256];
         self.shades
@@ -98,6 +99,7 @@ impl<'a> Scene<'a> {
     }
 
     /// An actor; an index out of range gives an actor without meshlets.
+    #[inline(never)]
     pub fn actor(&self, index: u16) -> Actor {
         read(self.actors, usize::from(index)).unwrap_or(Actor {
             mesh: u16::MAX,
@@ -127,6 +129,7 @@ impl<'a> Scene<'a> {
     }
 
     /// A material; an index out of range gives a plain one.
+    #[inline(never)]
     pub fn material(&self, index: u16) -> Material {
         read(self.materials, usize::from(index)).unwrap_or(Material::PLAIN)
     }
@@ -137,6 +140,7 @@ impl<'a> Scene<'a> {
     }
 
     /// A mesh; an index out of range gives an empty one.
+    #[inline(never)]
     pub fn mesh(&self, index: u16) -> Mesh {
         read(self.meshes, usize::from(index)).unwrap_or(Mesh {
             first_meshlet: 0,
@@ -180,6 +184,7 @@ impl<'a> Scene<'a> {
     }
 
     /// A meshlet by its place in the scene's list.
+    #[inline(never)]
     pub fn meshlet(&self, index: u32) -> Option<Meshlet> {
         read(self.meshlets, index as usize)
     }

@@ -105,9 +105,10 @@ impl Output {
 impl Scene<'_> {
     /// How the picture comes of the frame.
     pub fn output(&self) -> Output {
-        self.output
-            .first()
-            .map_or(Output::PLAIN, Output::from_words)
+        let words = self.output.first();
+        // Without the feature there are none.
+        let words = words.filter(|_| cfg!(feature = "viewports"));
+        words.map_or(Output::PLAIN, Output::from_words)
     }
 
     /// Columns of the frame, which a [`Band`](crate::Band) has to have: more than
@@ -124,6 +125,12 @@ impl Scene<'_> {
     /// Whether all is in range.
     pub(super) fn check_output(&self) -> Result<(), SceneError> {
         let s = Section::Output;
+        if !cfg!(feature = "viewports") {
+            return match self.output {
+                [] => Ok(()),
+                _ => Err(SceneError::Feature { name: "viewports" }),
+            };
+        }
         count(s, self.output.len(), 0, 1)?;
         let output = self.output();
         for samples in output.samples {

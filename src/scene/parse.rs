@@ -91,45 +91,9 @@ impl<'a> Scene<'a> {
         }
         check_header(&header)?;
 
-        let mut table = rest.chunks_exact(2).zip(Section::ALL);
-        let scene = Self {
-            header,
-            palette: section(bytes, &mut table)?,
-            shades: section(bytes, &mut table)?,
-            background: section(bytes, &mut table)?,
-            lights: section(bytes, &mut table)?,
-            materials: section(bytes, &mut table)?,
-            actors: section(bytes, &mut table)?,
-            meshes: section(bytes, &mut table)?,
-            meshlets: section(bytes, &mut table)?,
-            vertices: section(bytes, &mut table)?,
-            triangles: section(bytes, &mut table)?,
-            face_normals: section(bytes, &mut table)?,
-            fine: section(bytes, &mut table)?,
-            viewports: section(bytes, &mut table)?,
-            viewport_backgrounds: section(bytes, &mut table)?,
-            tracks: section(bytes, &mut table)?,
-            keys: section(bytes, &mut table)?,
-            fog: section(bytes, &mut table)?,
-            fog_table: section(bytes, &mut table)?,
-            vertex_colours: section(bytes, &mut table)?,
-            colours: section(bytes, &mut table)?,
-            output: section(bytes, &mut table)?,
-            looks: section(bytes, &mut table)?,
-            marks: section(bytes, &mut table)?,
-            edges: section(bytes, &mut table)?,
-            meshlet_edges: section(bytes, &mut table)?,
-            coordinates: section(bytes, &mut table)?,
-            textures: section(bytes, &mut table)?,
-            texels: section(bytes, &mut table)?,
-            bases: section(bytes, &mut table)?,
-            texture_shades: section(bytes, &mut table)?,
-            ray_settings: section(bytes, &mut table)?,
-            shapes: section(bytes, &mut table)?,
-            nodes: section(bytes, &mut table)?,
-            optics: section(bytes, &mut table)?,
-            light_areas: section(bytes, &mut table)?,
-        };
+        let mut parts: [&[u8]; layout::SECTIONS] = [&[]; layout::SECTIONS];
+        find_sections(bytes, rest, &mut parts)?;
+        let scene = Self::of(header, &parts);
         scene.check_colours()?;
         scene.check_lights()?;
         scene.check_textures()?;
@@ -250,33 +214,108 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// The next section of the table as records.
-fn section<'a, 'w, T: AnyBitPattern>(
+/// Lists the fields of [`Scene`] that are sections, in the order of the table: what is done
+/// with each is there once, not once for each kind of record.
+macro_rules! section_fields {
+    ($($field:ident),*) => {
+        /// Size and alignment of each section's records.
+        const RECORDS: [[usize; 2]; layout::SECTIONS] =
+            [$(size_and_alignment(|scene| scene.$field)),*];
+
+        impl<'a> Scene<'a> {
+            fn of(header: Header, [$($field),*]: &[&'a [u8]; layout::SECTIONS]) -> Self {
+                Self {
+                    header,
+                    $($field: records($field)),*
+                }
+            }
+        }
+    };
+}
+
+section_fields!(
+    palette,
+    shades,
+    background,
+    lights,
+    materials,
+    actors,
+    meshes,
+    meshlets,
+    vertices,
+    triangles,
+    face_normals,
+    fine,
+    viewports,
+    viewport_backgrounds,
+    tracks,
+    keys,
+    fog,
+    fog_table,
+    vertex_colours,
+    colours,
+    output,
+    looks,
+    marks,
+    edges,
+    meshlet_edges,
+    coordinates,
+    textures,
+    texels,
+    bases,
+    texture_shades,
+    ray_settings,
+    shapes,
+    nodes,
+    optics,
+    light_areas
+);
+
+const fn size_and_alignment<T>(_: fn(&Scene<'static>) -> &'static [T]) -> [usize; 2] {
+    [size_of::<T>(), align_of::<T>()]
+}
+
+/// A section's bytes as records, whose size and alignment it has.
+#[inline(never)]
+fn records<T: AnyBitPattern>(bytes: &[u8]) -> &[T] {
+    try_cast_slice(bytes).unwrap_or_default()
+}
+
+/// Finds the bytes of each section.
+#[inline(never)]
+fn find_sections<'a>(
     bytes: &'a [u8],
-    table: &mut impl Iterator<Item = (&'w [u32], Section)>,
-) -> Result<&'a [T], SceneError> {
-    let (entry, section) = table
-        .next()
-        .ok_or(SceneError::TooShort { bytes: bytes.len() })?;
-    let [offset, count] = *entry else {
+    table: &[u32],
+    sections: &mut [&'a [u8]; layout::SECTIONS],
+) -> Result<(), SceneError> {
+    let (entries, _) = table.as_chunks::<2>();
+    if entries.len() < sections.len() {
         return Err(SceneError::TooShort { bytes: bytes.len() });
-    };
-    let (offset, count) = (u32::from_le(offset) as usize, u32::from_le(count) as usize);
-    let outside = |field, value: usize| SceneError::Record {
-        section,
-        index: 0,
-        field,
-        value: value as i64,
-    };
-    let size = count
-        .checked_mul(size_of::<T>())
-        .ok_or(outside(Field::Count, count))?;
-    if offset < layout::PREFIX_BYTES {
-        return Err(outside(Field::Offset, offset));
     }
-    let part = bytes.get(offset..).ok_or(outside(Field::Offset, offset))?;
-    let part = part.get(..size).ok_or(outside(Field::Count, count))?;
-    try_cast_slice(part).map_err(|_| outside(Field::Offset, offset))
+    let whose = Section::ALL.iter().zip(RECORDS);
+    for ((slot, entry), (section, [size, align])) in sections.iter_mut().zip(entries).zip(whose) {
+        let [offset, count] = entry.map(|word| u32::from_le(word) as usize);
+        let outside = |field, value: usize| SceneError::Record {
+            section: *section,
+            index: 0,
+            field,
+            value: value as i64,
+        };
+        let size = count
+            .checked_mul(size)
+            .ok_or(outside(Field::Count, count))?;
+        if offset < layout::PREFIX_BYTES {
+            return Err(outside(Field::Offset, offset));
+        }
+        let part = bytes.get(offset..).ok_or(outside(Field::Offset, offset))?;
+        let part = part.get(..size).ok_or(outside(Field::Count, count))?;
+        // A power of two.
+        if part.as_ptr().addr() & (align - 1) != 0 {
+            return Err(outside(Field::Offset, offset));
+        }
+        *slot = part;
+    }
+    Ok(())
 }
 
 fn check_header(header: &Header) -> Result<(), SceneError> {
@@ -328,6 +367,8 @@ pub(super) fn count(
     )
 }
 
+/// Inlined, because most comparisons are with constants, and the rest is a call elsewhere.
+#[inline(always)]
 pub(super) fn range(
     section: Section,
     index: usize,
@@ -339,11 +380,17 @@ pub(super) fn range(
     if (least..=most).contains(&value) {
         Ok(())
     } else {
-        Err(SceneError::Record {
-            section,
-            index,
-            field,
-            value,
-        })
+        Err(out_of_range(section, index, field, value))
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn out_of_range(section: Section, index: usize, field: Field, value: i64) -> SceneError {
+    SceneError::Record {
+        section,
+        index,
+        field,
+        value,
     }
 }

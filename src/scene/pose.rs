@@ -79,6 +79,7 @@ impl From<Placement> for Place {
 impl Place {
     /// A vector of the actor's own, raw world bits, with its scale, in Q30. Below
     /// 2^45, beyond which it saturates.
+    #[inline(never)]
     pub fn scaled(&self, vector: [i32; 3]) -> [i64; 3] {
         // 31 bits and 32.
         let by = i64::from(self.scale.to_bits());
@@ -86,6 +87,7 @@ impl Place {
     }
 
     /// World units a grid step: mantissa and exponent as an [`Actor`] has them.
+    #[inline(never)]
     pub fn step(&self, actor: &Actor) -> (u32, i32) {
         let by = u64::from(self.scale.to_bits().max(1));
         let step = u64::from(actor.step_mantissa) * by;
@@ -134,6 +136,7 @@ pub struct Pose<'a> {
 
 impl Pose<'_> {
     /// Where an actor is in this frame, in its parent's space.
+    #[inline(never)]
     pub fn placement(&self, scene: &Scene<'_>, index: u16, actor: &Actor) -> Placement {
         let moved = self.moved.iter().find(|(which, _)| *which == index);
         let mut placement = match moved {

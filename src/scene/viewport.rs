@@ -104,7 +104,12 @@ impl<'a> Scene<'a> {
     /// Number of viewports in the scene file, at least 1: a scene without any has
     /// one that fills the frame.
     pub fn viewports_an_eye(&self) -> u16 {
-        self.viewports.len().max(1) as u16
+        // Without the feature there is none in the file.
+        if cfg!(feature = "viewports") {
+            self.viewports.len().max(1) as u16
+        } else {
+            1
+        }
     }
 
     /// Number of viewports in a frame: of all eyes.
@@ -117,6 +122,7 @@ impl<'a> Scene<'a> {
     pub fn viewport(&self, number: u16) -> Viewport {
         let number = number.checked_rem(self.viewports_an_eye()).unwrap_or(0);
         let words = self.viewports.get(usize::from(number));
+        let words = words.filter(|_| cfg!(feature = "viewports"));
         words.map_or(Viewport::WHOLE, Viewport::from_words)
     }
 
@@ -221,6 +227,12 @@ impl Scene<'_> {
     /// Whether all is in range.
     pub(super) fn check_viewports(&self) -> Result<(), SceneError> {
         let s = Section::Viewports;
+        if !cfg!(feature = "viewports") {
+            return match self.viewports {
+                [] => Ok(()),
+                _ => Err(SceneError::Feature { name: "viewports" }),
+            };
+        }
         count(s, self.viewports.len(), 0, layout::VIEWPORTS)?;
         let own = self.viewport_backgrounds;
         let colours = self.palette.len() as i64 - 1;

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use super::{ClipVertex, ScreenVertex, guard, project, project_inside};
+use super::{ClipVertex, Perspective, ScreenVertex, guard, project};
 use crate::light::{Patch, ShortUnit, SurfaceLights, vertex_normal};
 use crate::math::{FineLevel, HALF_PX, SUBPX_BITS, SubPx};
 use crate::scene::layout::MESHLET_VERTICES;
@@ -55,39 +55,42 @@ pub fn transform_meshlet(
     let lit = gouraud && !full;
     let vertices = scene.meshlet_vertices(meshlet);
     let fine = scene.meshlet_fine(meshlet, &view.mesh);
-    if inside(view, meshlet, &rows) {
+    let perspective = Perspective::of(view).filter(|_| inside(view, meshlet, &rows));
+    if let Some(perspective) = perspective {
         // Each in a loop of its own: together they would not fit into registers.
         if fine.is_empty() {
             for (out, vertex) in out.vertices.iter_mut().zip(vertices) {
                 let [x, y, z, _] = vertex.map(i16::from_le);
-                *out = project_inside(view, rows.apply([x, y, z]));
+                *out = on_the_way(&perspective, rows.apply([x, y, z]));
             }
         } else {
             for ((out, vertex), fine) in out.vertices.iter_mut().zip(vertices).zip(fine) {
                 let place = rows.apply_fine(fine_place(meshlet, *vertex, *fine));
-                *out = project_inside(view, place);
+                *out = on_the_way(&perspective, place);
             }
         }
-        if lit {
-            let all = out.vertices.iter_mut().zip(vertices).enumerate();
-            for (i, (out, vertex)) in all {
-                let [.., normal] = vertex.map(i16::from_le);
-                let low = fine.get(i).map(|[.., low]| *low);
-                *out = out.lit(level(view, normal, low));
+        if cfg!(narrow_multiply) {
+            for (out, _) in out.vertices.iter_mut().zip(vertices) {
+                *out = perspective.project_inside(out.in_clip());
             }
-        }
-    } else if fine.is_empty() {
-        for (out, vertex) in out.vertices.iter_mut().zip(vertices) {
-            let [x, y, z, normal] = vertex.map(i16::from_le);
-            let place = rows.apply([x, y, z]);
-            *out = project(view, &clip_vertex(view, place, normal, None, lit));
         }
     } else {
-        for ((out, vertex), fine) in out.vertices.iter_mut().zip(vertices).zip(fine) {
+        for (i, (out, vertex)) in out.vertices.iter_mut().zip(vertices).enumerate() {
+            let [x, y, distance] = clip_place(&rows, meshlet, *vertex, fine.get(i));
+            let vertex = ClipVertex {
+                x,
+                y,
+                distance,
+                level: 0,
+            };
+            *out = project(view, &vertex);
+        }
+    }
+    if lit {
+        for (i, (out, vertex)) in out.vertices.iter_mut().zip(vertices).enumerate() {
             let [.., normal] = vertex.map(i16::from_le);
-            let place = rows.apply_fine(fine_place(meshlet, *vertex, *fine));
-            let [.., low] = *fine;
-            *out = project(view, &clip_vertex(view, place, normal, Some(low), lit));
+            let low = fine.get(i).map(|[.., low]| *low);
+            *out = out.lit(level(view, normal, low));
         }
     }
     if full && gouraud {
@@ -96,8 +99,20 @@ pub fn transform_meshlet(
     rows_between(out.vertices.get(..vertices.len()).unwrap_or_default())
 }
 
+/// A vertex within all planes, projected; where registers are few, that is left to a loop of
+/// its own.
+#[inline(always)]
+fn on_the_way(perspective: &Perspective<'_>, clip: [i32; 3]) -> ScreenVertex {
+    if cfg!(narrow_multiply) {
+        ScreenVertex::to_be_projected(clip)
+    } else {
+        perspective.project_inside(clip)
+    }
+}
+
 /// Whether a meshlet's sphere is within all planes, so far that no vertex has to be
 /// clipped.
+#[inline(never)]
 fn inside(view: &ActorView, meshlet: &Meshlet, rows: &MeshletRows) -> bool {
     let [x, y, distance] = rows.base().map(i64::from);
     // Rounded up, and 2 for the coordinate's own rounding.
@@ -163,6 +178,7 @@ pub fn surface_point(
 }
 
 /// One vertex of a meshlet in clip space, for clipping; not lit.
+#[inline(never)]
 pub fn vertex(
     scene: &Scene<'_>,
     rows: &MeshletRows,
@@ -176,16 +192,28 @@ pub fn vertex(
         .get(index)
         .copied()
         .unwrap_or_default();
-    let [x, y, z, _] = vertex.map(i16::from_le);
-    let [x, y, distance] = match scene.meshlet_fine(meshlet, &view.mesh).get(index) {
-        Some(fine) => rows.apply_fine(fine_place(meshlet, vertex, *fine)),
-        None => rows.apply([x, y, z]),
-    };
+    let fine = scene.meshlet_fine(meshlet, &view.mesh).get(index);
+    let [x, y, distance] = clip_place(rows, meshlet, vertex, fine);
     ClipVertex {
         x,
         y,
         distance,
         level: 0,
+    }
+}
+
+/// A vertex's clip coordinates x, y and distance, wherever there is no hurry.
+#[inline(never)]
+fn clip_place(
+    rows: &MeshletRows,
+    meshlet: &Meshlet,
+    vertex: [i16; 4],
+    fine: Option<&[u8; 4]>,
+) -> [i32; 3] {
+    let [x, y, z, _] = vertex.map(i16::from_le);
+    match fine {
+        Some(fine) => rows.apply_fine(fine_place(meshlet, vertex, *fine)),
+        None => rows.apply([x, y, z]),
     }
 }
 
@@ -203,26 +231,5 @@ fn level(view: &ActorView, normal: i16, low: Option<u8>) -> FineLevel {
     match low {
         Some(low) => view.lights.fine_level(normal, low),
         None => view.lights.level(normal),
-    }
-}
-
-#[inline(always)]
-fn clip_vertex(
-    view: &ActorView,
-    [x, y, distance]: [i32; 3],
-    normal: i16,
-    low: Option<u8>,
-    lit: bool,
-) -> ClipVertex {
-    let level = if lit {
-        i32::from(level(view, normal, low).to_bits())
-    } else {
-        0
-    };
-    ClipVertex {
-        x,
-        y,
-        distance,
-        level,
     }
 }

@@ -9,6 +9,7 @@ mod screen_vertex;
 
 pub use clip_coordinates::ClipVertex;
 pub use meshlet::{TransformedMeshlet, surface_point, transform_meshlet, vertex};
+use projection::Perspective;
 pub(crate) use projection::{guard, outcode};
 pub use projection::{outside, project, project_inside};
 pub use screen_vertex::{Rest, ScreenVertex};

@@ -1,8 +1,8 @@
 //! Clip coordinates to the screen.
 
 use super::{ClipVertex, Rest, ScreenVertex};
-use crate::math::{FineLevel, MAX_SCREEN, SubPx, mul_high, reciprocal};
-use crate::view::ActorView;
+use crate::math::{FineDepth, FineLevel, MAX_SCREEN, Reciprocal, SubPx, mul_high, reciprocal};
+use crate::view::{ActorView, DepthMap, PerspectiveDepth};
 
 /// Outcode bits: a vertex with any of them set cannot be projected as it is
 /// (near, far) or would leave the range of screen positions (the others).
@@ -79,19 +79,48 @@ pub fn project(view: &ActorView, vertex: &ClipVertex) -> ScreenVertex {
 
 /// The same for clip coordinates that are known to be within all planes; not lit.
 #[inline(always)]
-pub fn project_inside(view: &ActorView, [x, y, distance]: [i32; 3]) -> ScreenVertex {
-    let recip = reciprocal(distance as u32);
-    let z = view.depth.depth(distance, recip);
-    let (x, y) = if view.perspective {
+pub fn project_inside(view: &ActorView, clip: [i32; 3]) -> ScreenVertex {
+    if let Some(perspective) = Perspective::of(view) {
+        return perspective.project_inside(clip);
+    }
+    let [x, y, distance] = clip;
+    let z = view.depth.depth(distance, Reciprocal::default());
+    screen_vertex(view, [view.parallel(x), view.parallel(y)], z)
+}
+
+/// A view in perspective, as a loop over vertices wants it: with nothing to choose.
+pub(super) struct Perspective<'a> {
+    view: &'a ActorView,
+    depth: PerspectiveDepth,
+}
+
+impl<'a> Perspective<'a> {
+    /// `None` of a parallel view.
+    #[inline(always)]
+    pub(super) fn of(view: &'a ActorView) -> Option<Self> {
+        match view.depth {
+            DepthMap::Perspective(depth) => Some(Self { view, depth }),
+            DepthMap::Parallel { .. } => None,
+        }
+    }
+
+    /// See [`project_inside`].
+    #[inline(always)]
+    pub(super) fn project_inside(&self, [x, y, distance]: [i32; 3]) -> ScreenVertex {
+        let (view, recip) = (self.view, reciprocal(distance as u32));
+        let z = self.depth.depth(recip);
         // (v << up) * mantissa / 2^32 is v / distance * 2^(29 - guard_shift),
         // and a 64th of a sub-pixel is 2^-(6 + lens's exponent) of it, which
         // is MAX_SCREEN's bits less guard_shift.
         let up = (recip.shift as i32 - view.guard_shift - 1).max(0) as u32;
         let divide = |v: i32| mul_high(v << up.min(31), recip.mantissa);
-        (divide(x), divide(y))
-    } else {
-        (view.parallel(x), view.parallel(y))
-    };
+        screen_vertex(view, [divide(x), divide(y)], z)
+    }
+}
+
+/// A vertex at 64ths of a sub-pixel from the screen's middle.
+#[inline(always)]
+fn screen_vertex(view: &ActorView, [x, y]: [i32; 2], z: FineDepth) -> ScreenVertex {
     let ([mx, my], (x, rest_x), (y, rest_y)) = (view.middle, split(x), split(y));
     let place = [x + mx, y + my].map(SubPx::from_bits);
     ScreenVertex::new(place, Rest::new(rest_x, rest_y), z)

@@ -55,6 +55,22 @@ impl ScreenVertex {
         }
     }
 
+    /// Room for a vertex's clip coordinates until it is projected.
+    #[inline(always)]
+    pub(super) fn to_be_projected([x, y, distance]: [i32; 3]) -> Self {
+        Self {
+            x: x as u32,
+            y: y as u32,
+            depth_and_level: distance as u32,
+        }
+    }
+
+    /// The clip coordinates of one that is to be projected.
+    #[inline(always)]
+    pub(super) fn in_clip(&self) -> [i32; 3] {
+        [self.x, self.y, self.depth_and_level].map(|c| c as i32)
+    }
+
     /// With a light level, which is rounded to 1/16.
     #[must_use]
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! One actor in one frame.
 
 use super::{DepthMap, FINE_ROW_FRACTION, Lens, ModelFrame, ModelLights, ROW_FRACTION, ViewFrame};
-use crate::math::{MAX_SCREEN, SUBPX_BITS};
+use crate::math::{MAX_SCREEN, SUBPX_BITS, keep_rolled};
 use crate::scene::{Actor, Material, Mesh, Place, Scene, Shading};
 
 /// The eye as an actor's grid sees it.
@@ -83,10 +83,7 @@ impl ActorView {
         },
         perspective: false,
         parallel_shift: 0,
-        depth: DepthMap::Perspective {
-            mantissa: 0,
-            shift: 0,
-        },
+        depth: DepthMap::ZERO,
         eye: EyeInGrid::Point([0; 3]),
         lights: ModelLights::NONE,
         material: Material {
@@ -155,20 +152,21 @@ impl ActorView {
             ROW_FRACTION
         };
         let row_shift = step_exponent + scale + row_fraction as i32 - 30;
-        let [x, y, z] = to_view
-            .rows
-            .map(|row| row.map(|c| (i64::from(c) * mantissa) >> 31));
-        let mut x = x;
-        for (x, z) in x.iter_mut().zip(z) {
-            *x += sheared(frame, -z);
+        let [x, y, z] = &to_view.rows;
+        let step = |c: i32| (i64::from(c) * mantissa) >> 31;
+        let mut rows = [[0; 3]; 3];
+        let [row_x, row_y, row_d] = &mut rows;
+        let entries = x.iter().zip(y).zip(z);
+        let slots = row_x.iter_mut().zip(row_y).zip(row_d);
+        for (((to_x, to_y), to_d), ((x, y), z)) in slots.zip(entries) {
+            let z = step(*z);
+            let x = step(*x) + sheared(frame, -z);
+            let lens = |kappa: i64, v: i64| (v * kappa + (1 << 30)) >> 31;
+            *to_x = shift_round(lens(kappa_x, x), row_shift) as i32;
+            *to_y = shift_round(-lens(kappa_y, step(*y)), row_shift) as i32;
+            *to_d = shift_round(-z, row_shift) as i32;
+            keep_rolled();
         }
-        let lens = |kappa: i64, v: i64| (v * kappa + (1 << 30)) >> 31;
-        let fit = |v: i64| shift_round(v, row_shift) as i32;
-        let rows = [
-            x.map(|c| fit(lens(kappa_x, c))),
-            y.map(|c| fit(-lens(kappa_y, c))),
-            z.map(|c| fit(-c)),
-        ];
         let [tx, ty, td] = centre;
         let constant = |v: i64| shift_round(v, row_fraction as i32 - down);
         let constants = [
@@ -237,6 +235,7 @@ impl ActorView {
 
     /// The clip coordinate of the screen's side, which is `half` sub-pixels from
     /// its middle, at `distance`; rounded down.
+    #[inline(never)]
     pub fn side_at(&self, half: i64, distance: i64) -> i64 {
         if self.perspective {
             side_at(self.lens, half, distance)
@@ -247,6 +246,7 @@ impl ActorView {
 
     /// A parallel clip coordinate in 64ths of a sub-pixel from the screen's
     /// middle, rounded to nearest; what is farther than any place on a screen stays so.
+    #[inline(never)]
     pub fn parallel(&self, v: i32) -> i32 {
         const FAR: i64 = 1 << 30;
         shift_round(v.into(), 6 - self.parallel_shift).clamp(-FAR, FAR) as i32
@@ -254,8 +254,10 @@ impl ActorView {
 }
 
 /// See [`ActorView::side_lengths`]. x, y and distance are perpendicular.
+#[inline(never)]
 fn side_lengths(frame: &ViewFrame, [x, y, d]: [i32; 3], middle: [i32; 2]) -> [i32; 2] {
     let side = |length: i32, half: i32| {
+        keep_rolled();
         let along = if frame.perspective {
             side_at(frame.lens, half.into(), d.into())
         } else {
@@ -267,8 +269,11 @@ fn side_lengths(frame: &ViewFrame, [x, y, d]: [i32; 3], middle: [i32; 2]) -> [i3
         let length = u64::from(length.unsigned_abs());
         ((length * length + along * along).isqrt() + 1).min(i32::MAX as u64) as i32
     };
-    let [half_width, half_height] = middle;
-    [side(x, half_width), side(y, half_height)]
+    let mut sides = [0; 2];
+    for (to, (length, half)) in sides.iter_mut().zip([x, y].into_iter().zip(middle)) {
+        *to = side(length, half);
+    }
+    sides
 }
 
 /// What an eye's shear adds to x at a distance; below 2^60 with it.
@@ -301,6 +306,7 @@ fn coordinate_bits(frame: &ViewFrame) -> i32 {
 }
 
 /// Rounded up length of a row.
+#[inline(never)]
 pub(super) fn row_length([a, b, c]: [i32; 3]) -> i32 {
     let squared = [a, b, c].iter().fold(0u64, |sum, v| {
         sum + u64::from(v.unsigned_abs()) * u64::from(v.unsigned_abs())
@@ -308,6 +314,7 @@ pub(super) fn row_length([a, b, c]: [i32; 3]) -> i32 {
     (squared.isqrt() + 1).min(i32::MAX as u64) as i32
 }
 
+#[inline(never)]
 fn eye_in_grid(frame: &ViewFrame, actor: &Actor, place: &Place) -> EyeInGrid {
     let to_model = place.rotation.transposed();
     if !frame.perspective {
@@ -325,11 +332,13 @@ fn eye_in_grid(frame: &ViewFrame, actor: &Actor, place: &Place) -> EyeInGrid {
     // of the mantissa are enough to cull by.
     let (mantissa, exponent) = place.step(actor);
     let divisor = i64::from(mantissa >> 16);
-    let steps = |c: i64| {
-        let quotient = (c << 14).checked_div(divisor).unwrap_or(0);
-        shift(quotient, 31 - 16 - 30 - 14 - exponent).clamp(-(1 << 40), 1 << 40)
-    };
-    EyeInGrid::Point([steps(x - ox), steps(y - oy), steps(z - oz)])
+    let mut point = [x - ox, y - oy, z - oz];
+    for c in &mut point {
+        let quotient = (*c << 14).checked_div(divisor).unwrap_or(0);
+        *c = shift(quotient, 31 - 16 - 30 - 14 - exponent).clamp(-(1 << 40), 1 << 40);
+        keep_rolled();
+    }
+    EyeInGrid::Point(point)
 }
 
 /// `a * v / 2^31` for `|v| < 2^48` and `a < 2^31`, rounded down.

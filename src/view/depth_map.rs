@@ -8,13 +8,8 @@ use crate::math::{FineDepth, Reciprocal, mul_high};
 /// drawn differs from what is not.
 #[derive(Clone, Copy, Debug)]
 pub enum DepthMap {
-    /// `near * 65535 * 16 = mantissa * 2^..`, the power folded into `shift`.
-    Perspective {
-        /// 2^30..2^31.
-        mantissa: i32,
-        /// Right shift of the product, before the reciprocal's own shift.
-        shift: i32,
-    },
+    /// In inverse proportion to distance.
+    Perspective(PerspectiveDepth),
     /// A straight line.
     Parallel {
         /// Depth at distance `reference`, raw [`FineDepth`].
@@ -28,6 +23,24 @@ pub enum DepthMap {
     },
 }
 
+/// `near * 65535 * 16 = mantissa * 2^..`, the power folded into `shift`.
+#[derive(Clone, Copy, Debug)]
+pub struct PerspectiveDepth {
+    /// 2^30..2^31.
+    mantissa: i32,
+    /// Right shift of the product, before the reciprocal's own shift.
+    shift: i32,
+}
+
+impl PerspectiveDepth {
+    /// The depth at a distance whose reciprocal is `recip`.
+    #[inline(always)]
+    pub fn depth(self, recip: Reciprocal) -> FineDepth {
+        let product = mul_high(self.mantissa, recip.mantissa);
+        held(round_shift(product, self.shift - recip.shift as i32))
+    }
+}
+
 /// The least depth, raw [`FineDepth`]: just rounds to 1, so that what lies on the
 /// far plane of a parallel view is drawn, and off by no more than that.
 const LEAST: i32 = 9;
@@ -36,6 +49,12 @@ const LEAST: i32 = 9;
 const ONE: u64 = 65535 << 4;
 
 impl DepthMap {
+    /// No view's.
+    pub(super) const ZERO: Self = Self::Perspective(PerspectiveDepth {
+        mantissa: 0,
+        shift: 0,
+    });
+
     /// As near as depth goes, wherever.
     pub(super) const NEAREST: Self = Self::Parallel {
         base: ONE as i32,
@@ -46,13 +65,14 @@ impl DepthMap {
 
     /// For clip distances that are world distances times `2^scale`, where the near
     /// plane's is `near`.
+    #[inline(never)]
     pub(crate) fn new(frame: &ViewFrame, scale: i32, near: i32) -> Self {
         if frame.perspective {
             let (mantissa, bits) = top_31_bits(frame.near.unsigned_abs().saturating_mul(ONE));
             // near has 16 fractional bits; 62 is the reciprocal's scale, 32 the
             // high product's.
             let shift = 62 - 32 - (bits - 31) - (scale - 16);
-            return Self::Perspective { mantissa, shift };
+            return Self::Perspective(PerspectiveDepth { mantissa, shift });
         }
         let range = frame.far.saturating_sub(frame.near).unsigned_abs();
         let (mantissa, bits) = top_31_bits((ONE << 43).checked_div(range).unwrap_or(ONE));
@@ -80,11 +100,8 @@ impl DepthMap {
     /// The depth at distance `d`, whose reciprocal is `recip` (perspective).
     #[inline(always)]
     pub fn depth(&self, d: i32, recip: Reciprocal) -> FineDepth {
-        let depth = match *self {
-            Self::Perspective { mantissa, shift } => round_shift(
-                mul_high(mantissa, recip.mantissa),
-                shift - recip.shift as i32,
-            ),
+        match *self {
+            Self::Perspective(map) => map.depth(recip),
             Self::Parallel {
                 base,
                 reference,
@@ -95,11 +112,15 @@ impl DepthMap {
                 // beyond both planes: 2^29 or more, twice what a base can be.
                 let up = 1 << shift.wrapping_neg().clamp(0, 30);
                 let behind = d.saturating_sub(reference).saturating_mul(up);
-                base.saturating_sub(round_shift(mul_high(mantissa, behind), shift.max(0)))
+                held(base.saturating_sub(round_shift(mul_high(mantissa, behind), shift.max(0))))
             }
-        };
-        FineDepth::from_bits(depth.clamp(LEAST, ONE as i32) as u32)
+        }
     }
+}
+
+#[inline(always)]
+fn held(depth: i32) -> FineDepth {
+    FineDepth::from_bits(depth.clamp(LEAST, ONE as i32) as u32)
 }
 
 /// `v / 2^by` rounded to nearest; saturates to the left.

@@ -62,6 +62,7 @@ impl ModelLights {
     }
 
     /// The same for a normal of a fine mesh: 4 bits more each, in one byte.
+    #[inline(always)]
     pub fn fine_level(&self, [u, v]: [i8; 2], low: u8) -> FineLevel {
         let [low_u, low_v] = [low & 15, low >> 4].map(i32::from);
         let code = [i32::from(u) << 4 | low_u, i32::from(v) << 4 | low_v];

@@ -16,7 +16,7 @@ mod view_frame;
 mod world;
 
 pub use actor_view::{ActorView, EyeInGrid};
-pub use depth_map::DepthMap;
+pub use depth_map::{DepthMap, PerspectiveDepth};
 pub use lights::{ModelLights, round_level};
 pub use mapping::{DisplayPoint, Ndc, Ray};
 pub use meshlet_rows::MeshletRows;

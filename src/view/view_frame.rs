@@ -1,6 +1,6 @@
 //! The camera, ready for use.
 
-use crate::math::{Rotation, SUBPX_BITS, Vec3, World, view_rotation};
+use crate::math::{Rotation, SUBPX_BITS, Vec3, World, keep_rolled, view_rotation};
 use crate::scene::{Camera, PlacedViewport, Projection};
 
 /// Screen distance per view-space ratio (perspective: x / w; parallel: x in
@@ -79,27 +79,25 @@ impl ViewFrame {
         }
     }
 
+    #[inline(never)]
     fn magnified(camera: &Camera, width: u16, height: u16, magnified: [u32; 2]) -> Self {
         let up_instead = Vec3::from_ints(0, 0, 1);
-        let rotation = view_rotation(camera.position, camera.focal_point, camera.view_up)
-            .or_else(|| view_rotation(camera.position, camera.focal_point, up_instead))
-            .or_else(|| {
-                let x_up = Vec3::from_ints(1, 0, 0);
-                view_rotation(camera.position, camera.focal_point, x_up)
-            })
-            .unwrap_or(Rotation::IDENTITY);
+        let x_up = Vec3::from_ints(1, 0, 0);
+        let ups = [camera.view_up, up_instead, x_up];
+        let mut rotations = ups.iter().filter_map(|up| {
+            keep_rolled();
+            view_rotation(camera.position, camera.focal_point, *up)
+        });
+        let rotation = rotations.next().unwrap_or(Rotation::IDENTITY);
         let half_height = u64::from(height.clamp(1, 2048)) << (SUBPX_BITS - 1);
-        let (perspective, lens) = match camera.projection {
-            // 24 and 16 are the fractional bits of the divisors.
-            Projection::Perspective { tan_half_angle } => (
-                true,
-                Lens::new(half_height, tan_half_angle.to_bits(), 24, magnified),
-            ),
-            Projection::Parallel { half_height: scale } => (
-                false,
-                Lens::new(half_height, scale.to_bits().max(1) as u32, 16, magnified),
-            ),
+        // 24 and 16 are the fractional bits of the divisors.
+        let (perspective, divisor, fraction) = match camera.projection {
+            Projection::Perspective { tan_half_angle } => (true, tan_half_angle.to_bits(), 24),
+            Projection::Parallel { half_height: scale } => {
+                (false, scale.to_bits().max(1) as u32, 16)
+            }
         };
+        let lens = Lens::new(half_height, divisor, fraction, magnified);
         let raw = |distance: World| i64::from(distance.to_bits()) << camera.range_exponent.min(11);
         let least = if perspective { 1 } else { i64::MIN };
         let near = raw(camera.near).max(least);
@@ -125,6 +123,7 @@ impl ViewFrame {
 impl Lens {
     /// `half_height / (divisor / 2^fraction)`; `half_height` at most 2^23. Across
     /// it is larger by the ratio `magnified`, of numbers below 2^23.
+    #[inline(never)]
     fn new(half_height: u64, divisor: u32, fraction: i32, magnified: [u32; 2]) -> Self {
         let quotient = (half_height << 41) / u64::from(divisor.max(1));
         let bits = 64 - quotient.leading_zeros() as i32;

@@ -9,7 +9,7 @@ use crate::engine::{self, Buffers, EngineError, Scratch};
 /// Rows in a band.
 pub const BAND_ROWS: usize = if cfg!(feature = "rays-alone") {
     4
-} else if cfg!(feature = "small") {
+} else if cfg!(any(feature = "small", feature = "compact")) {
     8
 } else {
     16
@@ -23,7 +23,8 @@ const PIXELS: usize = WIDTH * BAND_ROWS;
 pub struct Memory {
     index: [u8; PIXELS],
     depth: [u16; PIXELS],
-    row: [u16; WIDTH],
+    /// One is sent while the next is made.
+    rows: [[u16; WIDTH]; 2],
     scratch: Scratch,
     colours: Rgb565Table,
 }
@@ -35,7 +36,7 @@ impl Memory {
         Self {
             index: [0; PIXELS],
             depth: [0; PIXELS],
-            row: [0; WIDTH],
+            rows: [[0; WIDTH]; 2],
             scratch: Scratch::new(),
             colours: Rgb565Table::new(),
         }
@@ -66,7 +67,7 @@ fn show(
     memory: &mut Memory,
     mut send: impl FnMut(&[u8]),
 ) -> Result<(), EngineError> {
-    let row = &mut memory.row;
+    let [mut row, mut other] = memory.rows.each_mut();
     let buffers = Buffers {
         index: &mut memory.index,
         depth: &mut memory.depth,
@@ -75,12 +76,13 @@ fn show(
     };
     engine::render(scene, frame, BAND_ROWS, buffers, |band, colours| {
         let width = usize::from(band.width).max(1);
-        let Some(row) = row.get_mut(..width) else {
-            return;
-        };
         for indices in band.indices.chunks_exact(width) {
-            colours.resolve(indices, row);
-            send(bytemuck::cast_slice(row));
+            let Some(pixels) = row.get_mut(..width) else {
+                return;
+            };
+            colours.resolve(indices, pixels);
+            send(bytemuck::cast_slice(pixels));
+            core::mem::swap(&mut row, &mut other);
         }
     })
 }

@@ -45,13 +45,19 @@ pub const MESHLETS: usize = if cfg!(feature = "small") { 32 } else { 64 };
 /// keeps colours where a scene may use them.
 pub const SLOTS: usize = if cfg!(feature = "small") {
     2
+} else if cfg!(feature = "compact") {
+    7
 } else if cfg!(feature = "whole") {
     10
 } else {
     12
 };
 /// Actors whose matrices are kept.
-pub const ACTORS: usize = if cfg!(feature = "small") { 1 } else { 4 };
+pub const ACTORS: usize = if cfg!(any(feature = "small", feature = "compact")) {
+    1
+} else {
+    4
+};
 /// Actors whose places the ray caster keeps.
 pub const RAY_ACTORS: usize = 16;
 
