@@ -128,5 +128,5 @@ pub mod view;
 pub use display::{Display, DrawTargetDisplay};
 pub use frame::Band;
 pub use include::Aligned;
-pub use render::{FrameStats, Scratch, render_frame};
+pub use render::{FrameStats, Renderer, Scratch, render_frame};
 pub use scene::{Camera, Place, Placement, Pose, Scene, SceneError};

@@ -66,6 +66,24 @@ impl<'a, C: Stored> Band<'a, C> {
         })
     }
 
+    /// A band of as many columns and rows as both buffers have; that they are 1..=2048 is
+    /// checked when the program is compiled.
+    pub const fn of_rows<const WIDTH: usize, const ROWS: usize>(
+        indices: &'a mut [[C; WIDTH]; ROWS],
+        depths: &'a mut [[Depth; WIDTH]; ROWS],
+    ) -> Self {
+        const {
+            assert!(WIDTH > 0 && WIDTH <= 2048, "a band has 1..=2048 columns");
+            assert!(ROWS > 0 && ROWS <= 2048, "a band has 1..=2048 rows");
+        }
+        Self {
+            indices: indices.as_flattened_mut(),
+            depths: depths.as_flattened_mut(),
+            width: WIDTH as u16,
+            rows: ROWS as u16,
+        }
+    }
+
     /// Width in pixels, 1..=2048.
     pub fn width(&self) -> u16 {
         self.width

@@ -150,6 +150,19 @@ impl Pose<'_> {
         placement
     }
 
+    /// An actor where it is in this frame, in its parent's space, but turned so about x, y
+    /// and z: an entry for [`Pose::moved`].
+    pub fn turned(
+        &self,
+        scene: &Scene<'_>,
+        index: u16,
+        orientation: [Angle; 3],
+    ) -> (u16, Placement) {
+        let own = self.as_the_scene_says(scene, index, &scene.actor(index));
+        let placement = Placement { orientation, ..own };
+        (index, placement)
+    }
+
     fn as_the_scene_says(&self, scene: &Scene<'_>, index: u16, actor: &Actor) -> Placement {
         let mut placement = Placement {
             position: Vec3::from_bits(actor.position),
