@@ -1,19 +1,17 @@
 //! What is in a baked scene.
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::Result;
 use fixel::Scene;
 use fixel::math::SUBPX_BITS;
 use fixel::scene::Mesh;
 use fixel_bake::Baked;
+use fixel_scene::Disk;
 use serde_json::{Map, Value, json};
 use std::path::Path;
 
 /// Reads a `.fxl` file and checks it.
 pub fn read(path: &Path) -> Result<Baked> {
-    let name = path.display();
-    let bytes = std::fs::read(path).with_context(|| name.to_string())?;
-    Baked::from_bytes(&bytes)
-        .map_err(|error| anyhow!("{name}: {error}; expected a file made by fixel bake"))
+    Ok(Baked::read(path, &Disk)?)
 }
 
 /// Says what is in a baked scene, in the order to print.

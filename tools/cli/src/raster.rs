@@ -47,14 +47,14 @@ pub fn render(input: Input, options: Options) -> Result<Rendered> {
     let scene = baked.scene()?;
     let size = [options.width, options.height].map(u16::try_from);
     let [Ok(width), Ok(height)] = size else {
-        return Err(too_large);
+        return Err(too_large.into());
     };
     let (columns, rows) = scene.output().frame_size((width, height));
     if [width, height, columns, rows]
         .into_iter()
         .any(|side| side > most)
     {
-        return Err(too_large);
+        return Err(too_large.into());
     }
     let core_options = fixel_host::Options {
         width,
