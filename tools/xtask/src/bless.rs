@@ -3,17 +3,19 @@
 use std::process::Command;
 
 use crate::problem::Result;
-use crate::{child, paths};
+use crate::{child, examples, paths};
 
-/// Runs the golden frames' test so that it writes `tests/golden` anew.
+/// Runs the golden frames' tests so that they write `tests/golden` and `examples/golden` anew.
 pub fn run() -> Result<()> {
-    let mut command = Command::new("cargo");
-    command
+    let mut frames = Command::new("cargo");
+    frames
         .args(["test", "--quiet", "--package", "fixel-tests"])
         .args(["--test", "frames", "golden_frames"])
-        .env("FIXEL_BLESS", "1")
         .current_dir(paths::root());
-    child::visibly(&mut command)?;
-    eprintln!("tests/golden is written anew: look at each changed picture beside the reference");
+    let mut examples = examples::cargo(&["test", "--quiet", "--test", "golden", "golden_frames"]);
+    for command in [&mut frames, &mut examples] {
+        child::visibly(command.env("FIXEL_BLESS", "1"))?;
+    }
+    eprintln!("golden frames are written anew: look at each changed picture beside the reference");
     Ok(())
 }

@@ -9,20 +9,21 @@ use crate::measure::Target;
 use crate::problem::Result;
 use crate::report::Tally;
 use crate::{
-    accepted, accuracy, child, firmware, footprint, gallery, gba, hostbench, links, panels, parity,
-    paths, picture, pictures, scene, toolchain, view,
+    accepted, accuracy, child, examples, firmware, footprint, gallery, gba, hostbench, links,
+    package, panels, parity, paths, picture, pictures, scene, template, toolchain, view,
 };
 
 /// A stage: its name, and what it does.
 type Stage = (&'static str, fn(&mut Tally));
 
 /// In this order: what is quick and fails often comes first.
-const STAGES: [Stage; 13] = [
+const STAGES: [Stage; 16] = [
     ("format", format),
     ("lints", lints),
     ("tests", tests),
     ("view", view::run),
     ("docs", docs),
+    ("package", package::run),
     ("firmware-lints", firmware_lints),
     ("counter", counter),
     ("counts", accepted::check),
@@ -32,6 +33,8 @@ const STAGES: [Stage; 13] = [
     }),
     ("gba", gba_stage),
     ("panels", panels::run),
+    ("examples", examples::run),
+    ("template", template::run),
     ("footprint", footprint_stage),
     ("accuracy", |tally| {
         let result = accuracy::run(tally, None);
@@ -86,7 +89,7 @@ pub fn run(only: &[String]) -> Result<()> {
 }
 
 /// Cargo on the host, at the repository's root.
-fn cargo(arguments: &[&str]) -> Command {
+pub fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new("cargo");
     child::without_outer_package(&mut command);
     command.args(arguments).current_dir(paths::root());
@@ -180,7 +183,7 @@ fn tests(tally: &mut Tally) {
 }
 
 /// Runs `cargo test` and counts each of its tests.
-fn cargo_tests(tally: &mut Tally, what: &str, command: &mut Command) {
+pub fn cargo_tests(tally: &mut Tally, what: &str, command: &mut Command) {
     let mut counts = Counts::default();
     let mut failed = Vec::new();
     let result = child::tee(command, |line| {

@@ -200,6 +200,23 @@ pub fn component(subcommand: &str, component: &str) -> Result<()> {
     )))
 }
 
+/// The host's compiler in an older version, by `rustup run`.
+pub fn version(version: &str) -> Result<()> {
+    let works = || {
+        let mut command = Command::new("rustup");
+        command.args(["run", version, "cargo", "--version"]);
+        child::output(&mut command).is_some()
+    };
+    let install = ["toolchain", "install", version, "--profile", "minimal"];
+    if works() || (rustup(&install) && works()) {
+        return Ok(());
+    }
+    Err(Problem::Missing(format!(
+        "no Rust {version}: `rustup {}` would bring it",
+        install.join(" ")
+    )))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
