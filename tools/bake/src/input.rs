@@ -142,8 +142,9 @@ impl Input {
                 return Err(self.refused("--colours needs a scene, this is baked already"));
             }
             if !self.scene.palette.fixed.is_empty() {
-                return Err(self
-                    .refused("--colours does not go with palette.file, which has all entries"));
+                return Err(
+                    self.refused("--colours does not go with palette.file, which has all entries")
+                );
             }
             self.scene.palette.colours = colours;
         }
