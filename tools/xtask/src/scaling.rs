@@ -45,7 +45,7 @@ fn on(board: &'static Board, tally: &mut Tally) -> Result<Vec<Value>> {
     let mut rows = Vec::new();
     for size in SIZES {
         let mut shown = fixel_scene::load(&scene::file(PICTURE)).map_err(|e| e.to_string())?;
-        show(&mut shown, ring(size));
+        show(&mut shown, ring(size, 0.06));
         let triangles = shown.meshes[0].triangles.len();
         let path = paths::work("scenes")?.join(format!("ring_{triangles}.fxl"));
         let blob = fixel_bake::bake_for_rays(&shown).map_err(|e| e.to_string())?;
@@ -77,8 +77,8 @@ pub fn show(scene: &mut Scene, mesh: Mesh) {
 }
 
 /// A ring with waves of two sizes on it, so that it is nowhere flat and hides parts of
-/// itself.
-pub fn ring([columns, rows]: [u32; 2]) -> Mesh {
+/// itself; the small ones are `fine` high.
+pub fn ring([columns, rows]: [u32; 2], fine: f64) -> Mesh {
     let (mut positions, mut normals, mut triangles) = (Vec::new(), Vec::new(), Vec::new());
     for column in 0..columns {
         for row in 0..rows {
@@ -86,7 +86,7 @@ pub fn ring([columns, rows]: [u32; 2]) -> Mesh {
                 TAU * f64::from(column) / f64::from(columns),
                 TAU * f64::from(row) / f64::from(rows),
             );
-            let thick = 1.7 + 0.25 * (5.0 * a).sin() * (3.0 * b).cos() + 0.06 * (23.0 * a).sin();
+            let thick = 1.7 + 0.25 * (5.0 * a).sin() * (3.0 * b).cos() + fine * (23.0 * a).sin();
             let out = [b.cos() * a.cos(), b.sin(), b.cos() * a.sin()];
             let middle = [3.4 * a.cos(), 0.0, 3.4 * a.sin()];
             positions.push([0, 1, 2].map(|i| middle[i] + thick * out[i]));
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn a_ring_has_the_triangles_and_faces_outward() {
-        let ring = ring([25, 20]);
+        let ring = ring([25, 20], 0.06);
         assert_eq!(ring.triangles.len(), 1000);
         let [a, b, c] = ring.triangles[0].map(|i| ring.positions[i as usize]);
         let side = |to: [f64; 3]| [0, 1, 2].map(|i| to[i] - a[i]);

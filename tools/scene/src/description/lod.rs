@@ -10,6 +10,6 @@ pub struct Lod {
 
 impl Default for Lod {
     fn default() -> Self {
-        Self { error: 0.5 }
+        Self { error: 1.0 }
     }
 }

@@ -331,6 +331,6 @@ fn rays_and_what_they_meet() {
 fn level_of_detail_is_asked_for_by_its_table() {
     let lod = |text: &str| read(&format!("{text}\n{ACTOR}")).unwrap().lod;
     assert_eq!(lod(""), None);
-    assert_eq!(lod("[lod]"), Some(Lod { error: 0.5 }));
+    assert_eq!(lod("[lod]"), Some(Lod { error: 1.0 }));
     assert_eq!(lod("[lod]\nerror = 2"), Some(Lod { error: 2.0 }));
 }
