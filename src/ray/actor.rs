@@ -24,13 +24,28 @@ pub(super) struct RayActor {
     pub step: Scaled,
     /// Grid steps a raw world bit.
     pub per_bit: Scaled,
-    /// The half sides of a rectangle are raw world bits here.
-    pub shape: Shape,
+    pub form: Form,
     /// What of it a ray from the camera sees.
     pub faces: Faces,
     pub optics: Optics,
     /// The texture that it is cut out by, if it is.
     pub holes: Option<u8>,
+}
+
+/// What rays meet of an actor: a [`Shape`] without what is looked up where it is needed.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Form {
+    Triangles {
+        first_node: u32,
+    },
+    Ball,
+    /// What brings it to the unit ball stays in the scene.
+    Ellipsoid,
+    Rectangle {
+        /// Half its sides, raw world bits.
+        half: [u32; 2],
+        against: [bool; 3],
+    },
 }
 
 /// A place in an actor's grid.
@@ -67,10 +82,7 @@ impl RayActor {
         radius: 0,
         step: Scaled::ZERO,
         per_bit: Scaled::ZERO,
-        shape: Shape::Triangles {
-            first_node: 0,
-            nodes: 0,
-        },
+        form: Form::Triangles { first_node: 0 },
         faces: Faces {
             front: false,
             back: false,
@@ -87,34 +99,39 @@ impl RayActor {
     pub(super) fn new(scene: &Scene<'_>, number: u16, actor: &Actor, place: &Place) -> Self {
         let model = ModelFrame::new(actor, place);
         let (step, per_bit) = model.scales();
-        let mut shape = scene.shape(actor.mesh);
         let mut centre = model.centre().to_bits();
         let to_grid = model.to_model().rows;
-        let steps = match shape {
-            Shape::Triangles { nodes: 0, .. } => Scaled::ZERO,
-            Shape::Triangles { .. } => Scaled::new(scene.mesh(actor.mesh).radius, 0),
+        let (form, steps) = match scene.shape(actor.mesh) {
+            Shape::Triangles { first_node, nodes } => {
+                let radius = Scaled::new(scene.mesh(actor.mesh).radius, 0);
+                let steps = if nodes == 0 { Scaled::ZERO } else { radius };
+                (Form::Triangles { first_node }, steps)
+            }
             Shape::Ball {
                 centre: middle,
                 radius,
             } => {
                 centre = plus(centre, turned(&to_grid, &step, middle));
-                Scaled::new(radius, -8)
+                (Form::Ball, Scaled::new(radius, -8))
             }
-            Shape::Ellipsoid { .. } => Scaled::new(scene.mesh(actor.mesh).radius, 0),
+            Shape::Ellipsoid { .. } => {
+                let radius = Scaled::new(scene.mesh(actor.mesh).radius, 0);
+                (Form::Ellipsoid, radius)
+            }
             Shape::Rectangle {
                 centre: middle,
-                ref mut half,
-                ..
+                mut half,
+                against,
             } => {
                 centre = plus(centre, turned(&to_grid, &step, middle));
                 let mut all = Scaled::ZERO;
-                for side in half {
+                for side in &mut half {
                     let own = Scaled::new(*side, -8);
                     all = all.plus(own);
                     *side = own.times(step).fixed(0).min(1 << 30);
                 }
                 // The sum of both is no less than half the diagonal.
-                all
+                (Form::Rectangle { half, against }, all)
             }
         };
         let radius = steps.times(step);
@@ -137,7 +154,7 @@ impl RayActor {
                 * i32::from(steps != Scaled::ZERO),
             step,
             per_bit,
-            shape,
+            form,
             faces,
             optics,
             holes: material.texture.filter(is_cut_out),
@@ -204,9 +221,9 @@ impl RayActor {
 
     /// The corners of a box around all triangles, raw world bits.
     pub(super) fn corners(&self, scene: &Scene<'_>) -> Option<[[i32; 3]; 8]> {
-        let first_node = match self.shape {
-            Shape::Triangles { first_node, .. } => first_node,
-            Shape::Rectangle { half, .. } => return Some(self.rectangle_corners(half)),
+        let first_node = match self.form {
+            Form::Triangles { first_node } => first_node,
+            Form::Rectangle { half, .. } => return Some(self.rectangle_corners(half)),
             _ => return None,
         };
         let node = Node::from_words(scene.nodes_from(first_node).first()?);

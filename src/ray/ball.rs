@@ -2,11 +2,12 @@
 //! are as exact as others (Haines, Günther and Akenine-Möller, "Precision improvements
 //! for ray/sphere intersection", Ray Tracing Gems, 2019).
 
-use super::actor::{RayActor, plus};
+use super::actor::{Form, RayActor, plus};
 use super::ray::{FAR, Ray, between};
 use super::surface::Surface;
 use super::triangle::Faces;
 use crate::math::{Scaled, Unit3, mul_high, mul_q30, root, square, unit, unit_vector};
+use crate::scene::{Scene, Shape};
 
 /// Where a ray meets a ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -153,13 +154,17 @@ impl RayActor {
 
     /// The chord of a ray in a ball or an ellipsoid, with raw world bits a unit; the
     /// direction in its space.
-    fn chord(&self, ray: &Ray) -> Option<(Chord, Unit3, Option<Scaled>)> {
-        match self.shape {
-            crate::scene::Shape::Ellipsoid {
-                centre,
-                rows,
-                exponent,
-            } => {
+    fn chord(&self, scene: &Scene<'_>, ray: &Ray) -> Option<(Chord, Unit3, Option<Scaled>)> {
+        match self.form {
+            Form::Ellipsoid => {
+                let Shape::Ellipsoid {
+                    centre,
+                    rows,
+                    exponent,
+                } = scene.shape(self.mesh)
+                else {
+                    return None;
+                };
                 let round = Round::new(self, ray, centre, &rows, exponent)?;
                 let chord = Chord::new(round.to_centre, round.direction, round.radius)?;
                 Some((chord, round.direction, Some(round.unit)))
@@ -174,8 +179,8 @@ impl RayActor {
 
     /// Where a ray meets this ball, the nearer end first.
     #[inline(never)]
-    pub(super) fn meet_ball(&self, ray: &Ray, faces: Faces) -> Option<BallHit> {
-        let (chord, direction, unit_bits) = self.chord(ray)?;
+    pub(super) fn meet_ball(&self, scene: &Scene<'_>, ray: &Ray, faces: Faces) -> Option<BallHit> {
+        let (chord, direction, unit_bits) = self.chord(scene, ray)?;
         let ends = self.ends(&chord, ray, unit_bits);
         let shown = [faces.front, faces.back];
         let within = |distance: u32| distance >= ray.near && distance <= ray.far;
@@ -194,11 +199,19 @@ impl RayActor {
 
     /// The surface there.
     #[inline(never)]
-    pub(super) fn ball_surface(&self, ray: &Ray, hit: &BallHit) -> Option<Surface> {
-        let (normal, place) = if let crate::scene::Shape::Ellipsoid { rows, .. } = &self.shape {
+    pub(super) fn ball_surface(
+        &self,
+        scene: &Scene<'_>,
+        ray: &Ray,
+        hit: &BallHit,
+    ) -> Option<Surface> {
+        let (normal, place) = if matches!(self.form, Form::Ellipsoid) {
+            let Shape::Ellipsoid { rows, .. } = scene.shape(self.mesh) else {
+                return None;
+            };
             let own = unit_vector(hit.to_surface)?;
             // By the transpose of what brings places there.
-            let [[a, b, c], [d, e, f], [g, h, i]] = *rows;
+            let [[a, b, c], [d, e, f], [g, h, i]] = rows;
             let [x, y, z] = own;
             let columns = [[a, d, g], [b, e, h], [c, f, i]];
             let in_grid =
@@ -220,8 +233,8 @@ impl RayActor {
     }
 
     /// How often a ray goes through this ball's surface.
-    pub(super) fn count_ball(&self, ray: &Ray) -> u32 {
-        let Some((chord, _, unit_bits)) = self.chord(ray) else {
+    pub(super) fn count_ball(&self, scene: &Scene<'_>, ray: &Ray) -> u32 {
+        let Some((chord, _, unit_bits)) = self.chord(scene, ray) else {
             return 0;
         };
         let ends = self.ends(&chord, ray, unit_bits);

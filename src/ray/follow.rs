@@ -17,8 +17,11 @@ const LEAST: u32 = 1 << 5;
 /// A ray that waits for its turn.
 #[derive(Clone, Copy, Debug)]
 struct Waiting {
-    ray: Ray,
+    origin: [i32; 3],
+    direction: Unit3,
     weight: u32,
+    /// See [`Ray::on`].
+    on: u16,
     /// Rays that may still follow one after the other, itself counted.
     left: u8,
 }
@@ -33,14 +36,10 @@ pub(super) struct WaitingRays {
 impl WaitingRays {
     pub(super) const NONE: Self = Self {
         all: [Waiting {
-            ray: Ray {
-                origin: [0; 3],
-                direction: [0; 3],
-                near: 0,
-                far: 0,
-                on: 0,
-            },
+            origin: [0; 3],
+            direction: [0; 3],
             weight: 0,
+            on: 0,
             left: 0,
         }; WAITING],
         count: 0,
@@ -65,24 +64,28 @@ impl Tracer<'_> {
     pub(super) fn go_on(&mut self, ray: &Ray, local: &Local, met: &Met, seed: Seed) -> Lit {
         let mut sums = [0; 3];
         let first = Waiting {
-            ray: *ray,
+            origin: ray.origin,
+            direction: ray.direction,
             weight: ONE,
+            on: ray.on,
             left: self.settings.depth,
         };
         self.waiting.count = 0;
         self.add(&first, local, met, &mut sums);
         while let Some(now) = self.waiting.pop() {
-            if now.left == 0 {
-                self.add_background(now.ray.direction, now.weight, &mut sums);
-                continue;
+            let ray = Ray {
+                on: now.on,
+                ..Ray::from_to(now.origin, now.direction, FAR)
+            };
+            let mut met = Met::nothing(FAR);
+            if now.left != 0 {
+                self.nearest(&ray, &mut met);
             }
-            let mut met = Met::nothing(now.ray.far);
-            self.nearest(&now.ray, &mut met);
             if !met.is_something() {
-                self.add_background(now.ray.direction, now.weight, &mut sums);
+                self.add_background(now.direction, now.weight, &mut sums);
                 continue;
             }
-            if let Some(local) = &self.local(&now.ray, &met, seed, OF_OTHERS) {
+            if let Some(local) = &self.local(&ray, &met, seed, OF_OTHERS) {
                 self.add(&now, local, &met, &mut sums);
             }
         }
@@ -116,20 +119,16 @@ impl Tracer<'_> {
             }
             let outward = facing.outward();
             waiting.push(Waiting {
-                ray: Ray {
-                    origin: moved(*place, outward, if out { lift } else { -lift }),
-                    direction,
-                    near: 0,
-                    far: FAR,
-                    on: if ball { actor + 1 } else { 0 },
-                },
+                origin: moved(*place, outward, if out { lift } else { -lift }),
+                direction,
                 weight,
+                on: if ball { actor + 1 } else { 0 },
                 left: now.left - 1,
             });
         };
         if through > 0 {
             if optics.index == ONE {
-                push(now.ray.direction, through, false);
+                push(now.direction, through, false);
             } else {
                 // Q28 of the index on this side over that beyond.
                 let ratio = if *back {
@@ -137,7 +136,7 @@ impl Tracer<'_> {
                 } else {
                     inverse(optics.index)
                 };
-                match facing.refracted(now.ray.direction, ratio) {
+                match facing.refracted(now.direction, ratio) {
                     Some((way, mirrored)) => {
                         let mirrored = part(through, mirrored.min(ONE));
                         through -= mirrored.min(through);
@@ -149,7 +148,7 @@ impl Tracer<'_> {
             }
         }
         if mirror > 0 {
-            push(facing.mirrored(now.ray.direction), mirror, true);
+            push(facing.mirrored(now.direction), mirror, true);
         }
     }
 

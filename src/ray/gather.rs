@@ -1,5 +1,6 @@
 //! The triangles that a tile's rays may meet, gathered by one beam an actor.
 
+use super::actor::Form;
 use super::actors::RayActors;
 use super::beam::Beam;
 use super::camera::RayCamera;
@@ -7,8 +8,8 @@ use super::coverage::{Bits, TILE, cover, cover_bounds, cover_rectangle};
 use super::hierarchy::Hierarchy;
 use super::pause::Pause;
 use crate::math::Rect;
+use crate::scene::Scene;
 use crate::scene::layout::RAY_STACK;
-use crate::scene::{Scene, Shape};
 
 /// Most triangles of a tile: one bit each.
 const MOST: usize = 32;
@@ -26,7 +27,6 @@ struct Candidate {
 pub(super) struct Gathered {
     list: [Candidate; MOST],
     bits: Bits,
-    left: [u32; RAY_STACK],
     /// How many are in the list.
     count: usize,
     /// Of tiles and their quarters: how long they are not gathered where they have too many
@@ -49,13 +49,12 @@ impl Gathered {
             triangle: 0,
         }; MOST],
         bits: [0; TILE * TILE],
-        left: [0; RAY_STACK],
         count: 0,
         pauses: [Pause::NONE; 2],
     };
 
     /// The same as [`Gathered::gather`]; not tried where tiles of this `size` (a number in
-    /// `pauses`) had too many triangles lately.
+    /// `pauses`) had too many triangles lately. `left` is for what is left for later.
     pub(super) fn gather_if_it_pays(
         &mut self,
         scene: &Scene<'_>,
@@ -63,6 +62,7 @@ impl Gathered {
         view: (u16, &RayCamera),
         listed: &[u16],
         (tile, size): (&Rect, usize),
+        left: &mut [u32; RAY_STACK],
     ) -> bool {
         let pause = self.pauses.get_mut(size);
         if let Some(pause) = pause
@@ -71,7 +71,7 @@ impl Gathered {
             pause.pass();
             return false;
         }
-        let gathered = self.gather(scene, actors, view, listed, tile);
+        let gathered = self.gather(scene, actors, view, listed, (tile, left));
         if let Some(pause) = self.pauses.get_mut(size) {
             // Fewer rays than triangles are better cast by themselves.
             let rays = usize::from(tile.width()) * usize::from(tile.height());
@@ -89,7 +89,7 @@ impl Gathered {
         actors: &mut RayActors<'_>,
         (viewport, camera): (u16, &RayCamera),
         listed: &[u16],
-        tile: &Rect,
+        (tile, left): (&Rect, &mut [u32; RAY_STACK]),
     ) -> bool {
         let (Some(rays), Some(eye)) = (camera.tile(tile), camera.eye()) else {
             return false;
@@ -103,11 +103,11 @@ impl Gathered {
                 return false;
             };
             let bit = 1u32.checked_shl(count as u32).unwrap_or(0);
-            let first_node = match actor.shape {
-                Shape::Triangles { first_node, .. } => first_node,
-                shape => {
-                    let covers = match shape {
-                        Shape::Rectangle { half, .. } => {
+            let first_node = match actor.form {
+                Form::Triangles { first_node } => first_node,
+                form => {
+                    let covers = match form {
+                        Form::Rectangle { half, .. } => {
                             let sides = actor.rectangle_corners(half);
                             cover_rectangle(&rays, eye, &sides, size, &mut self.bits, bit)
                         }
@@ -135,7 +135,7 @@ impl Gathered {
             let mesh = scene.mesh(actor.mesh);
             let tree = Hierarchy::new(scene, &mesh, first_node, None);
             let (list, bits) = (&mut self.list, &mut self.bits);
-            let all = beam.walk(&tree, &mut self.left, |leaf| {
+            let all = beam.walk(&tree, left, |leaf| {
                 for (triangle, corners) in tree.corners(leaf, &from) {
                     let bit = 1u32.checked_shl(count as u32).unwrap_or(0);
                     if !cover(&beam, &corners, actor.faces, size, bits, bit) {

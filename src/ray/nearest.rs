@@ -1,6 +1,6 @@
 //! What a ray meets first, and what is in its way.
 
-use super::actor::{GridPlace, RayActor};
+use super::actor::{Form, GridPlace, RayActor};
 use super::ball::BallHit;
 use super::gather::Candidates;
 use super::grid_ray::GridRay;
@@ -11,7 +11,7 @@ use super::surface::{Need, Surface};
 use super::triangle::{Faces, TriangleHit};
 use super::windows::{Parallel, Windows};
 use crate::math::Scaled;
-use crate::scene::{Mesh, Scene, Shape};
+use crate::scene::{Mesh, Scene};
 
 /// The nearest that a ray meets so far. It is filled in place: it is large.
 #[derive(Debug)]
@@ -69,13 +69,13 @@ impl RayActor {
         only: Option<Candidates<'_>>,
         best: &mut Met,
     ) {
-        match self.shape {
-            Shape::Triangles { first_node, .. } => {
+        match self.form {
+            Form::Triangles { first_node } => {
                 if let Some(from) = from {
                     self.meet_triangle(scene, ray, (from, first_node), only, best);
                 }
             }
-            Shape::Rectangle { half, .. } => {
+            Form::Rectangle { half, .. } => {
                 if let Some(hit) = self.meet_rectangle(scene, ray, self.faces, half)
                     && hit.distance < best.distance
                 {
@@ -85,7 +85,7 @@ impl RayActor {
                 }
             }
             _ => {
-                if let Some(hit) = self.meet_ball(ray, self.faces)
+                if let Some(hit) = self.meet_ball(scene, ray, self.faces)
                     && hit.distance < best.distance
                 {
                     best.actor = self.number;
@@ -137,8 +137,8 @@ impl RayActor {
         scene: &'a Scene<'a>,
         mesh: &'a Mesh,
     ) -> Option<Hierarchy<'a>> {
-        match self.shape {
-            Shape::Triangles { first_node, .. } => {
+        match self.form {
+            Form::Triangles { first_node } => {
                 Some(Hierarchy::new(scene, mesh, first_node, self.holes))
             }
             _ => None,
@@ -153,13 +153,13 @@ impl RayActor {
         ray: &Ray,
         parallel: Option<(&mut Windows, Parallel)>,
     ) -> u32 {
-        let first_node = match self.shape {
-            Shape::Triangles { first_node, .. } => first_node,
-            Shape::Rectangle { half, .. } => {
+        let first_node = match self.form {
+            Form::Triangles { first_node } => first_node,
+            Form::Rectangle { half, .. } => {
                 let hit = self.meet_rectangle(scene, ray, Faces::BOTH, half);
                 return hit.is_some().into();
             }
-            _ => return self.count_ball(ray),
+            _ => return self.count_ball(scene, ray),
         };
         let opaque = self.optics.opacity >= 1 << 16;
         if opaque && let Some((windows, parallel)) = parallel {
@@ -191,14 +191,14 @@ impl RayActor {
         match &met.what {
             What::Nothing => None,
             What::Triangle(grid, hit) => self.surface(scene, ray, grid, hit, need),
-            What::Ball(hit) => self.ball_surface(ray, hit),
+            What::Ball(hit) => self.ball_surface(scene, ray, hit),
             What::Rectangle(hit) => Some(self.rectangle_surface(scene, hit)),
         }
     }
 
     /// Whether it is met as a ball or a rectangle: a ray that starts on it is told so.
     pub(super) fn is_exact(&self) -> bool {
-        !matches!(self.shape, Shape::Triangles { .. })
+        !matches!(self.form, Form::Triangles { .. })
     }
 
     /// How far from its surface a ray has to start that shall not meet it again: what

@@ -1,6 +1,6 @@
 //! A ray and a rectangle.
 
-use super::actor::{RayActor, plus};
+use super::actor::{Form, RayActor, plus};
 use super::holes::is_hole;
 use super::ray::{Ray, between, moved};
 use super::shades::Towards;
@@ -9,7 +9,7 @@ use super::triangle::Faces;
 use crate::math::{
     Scaled, Unit3, leading_zeros, mul_high_u, mul_q30, reciprocal, scaled_reciprocal,
 };
-use crate::scene::{Coordinates, Scene, Shape};
+use crate::scene::{Coordinates, Scene};
 
 /// Where a ray meets a rectangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,7 +103,7 @@ impl RayActor {
     /// Whether all ways from within `around` of a place to a lamp surely stay on one side of
     /// this rectangle.
     pub(super) fn is_beside(&self, place: [i32; 3], towards: &Towards, around: u32) -> bool {
-        let Shape::Rectangle { .. } = self.shape else {
+        let Form::Rectangle { .. } = self.form else {
             return false;
         };
         let [_, normal, _] = self.to_grid;
@@ -148,7 +148,7 @@ impl RayActor {
 
     /// Texture coordinates as the mesh's vertices have them, 8 fractional bits.
     fn coordinates(&self, own: &Coordinates, off: [i32; 2]) -> [i32; 2] {
-        let Shape::Rectangle { half, against, .. } = self.shape else {
+        let Form::Rectangle { half, against } = self.form else {
             return [0; 2];
         };
         // The origin is in the middle: 0 to 1 are stored as -1/2 to 1/2.
@@ -168,8 +168,8 @@ impl RayActor {
 
     fn faces_down(&self) -> bool {
         matches!(
-            self.shape,
-            Shape::Rectangle {
+            self.form,
+            Form::Rectangle {
                 against: [_, true, _],
                 ..
             }

@@ -129,9 +129,9 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
         let gathered = listed.is_some_and(|listed| {
             let actors = &mut self.tracer.actors;
             let view = (self.viewport.number, camera);
-            let part = (tile, divided);
+            let (part, left) = ((tile, divided), &mut self.tracer.windows.left);
             self.gathered
-                .gather_if_it_pays(self.tracer.scene, actors, view, listed, part)
+                .gather_if_it_pays(self.tracer.scene, actors, view, listed, part, left)
         });
         if !gathered && divided < LAST && listed.is_some() {
             return false;

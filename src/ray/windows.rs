@@ -72,8 +72,8 @@ type Note = (u16, [i32; 3]);
 #[derive(Debug)]
 pub(super) struct Windows {
     all: [Window; WINDOWS],
-    /// Boxes that are left for later while one is filled.
-    left: [u32; RAY_STACK],
+    /// Boxes that are left for later while one is filled, or a tile's triangles are gathered.
+    pub left: [u32; RAY_STACK],
     /// The one that is given up next.
     oldest: usize,
     /// Of this tile, places on what it shows.
