@@ -5,17 +5,11 @@ use super::ray::Ray;
 
 /// Fractional bits of a direction.
 const BITS: u32 = 14;
-/// Places are below 2 to this, in coarse units.
-const PLACE_BITS: u32 = 13;
-const REACH: i32 = 1 << PLACE_BITS;
-/// What is added to radii. A place between a ray's start and a sphere's centre is off by
-/// 1 a component, the way along the ray to the point nearest to the centre by 4.3 (of that
-/// 1.8, of the direction 1.5, of rounding 1): what is tested, the square of the distance to
-/// the centre less that of the way, by 12 times the way and 3.5 times the radius and 54,
-/// and the way itself by less than this.
-const MARGIN: i32 = 8;
-/// See there.
-const SLACK: i32 = 12;
+/// Places are below this, in coarse units.
+const REACH: i32 = 1 << BITS;
+/// What roundings may take: one each of both places and the radius, 2 of a direction at
+/// the farthest, 5 of the products.
+const MARGIN: i32 = 12;
 
 /// A sphere that holds an actor, in units of the frame.
 #[derive(Clone, Copy, Debug)]
@@ -44,8 +38,6 @@ pub(super) struct Candidates {
 struct CoarseRay {
     origin: [i32; 3],
     direction: [i32; 3],
-    /// How far along the direction the origin is, 14 fractional bits.
-    start: i32,
     far: i32,
     /// It is as thick as this to all sides.
     around: i32,
@@ -57,7 +49,7 @@ impl Unit {
     pub(super) fn of(reach: u32) -> Self {
         let bits = 32 - reach.leading_zeros();
         Self {
-            shift: bits.saturating_sub(PLACE_BITS),
+            shift: bits.saturating_sub(BITS),
         }
     }
 
@@ -90,12 +82,9 @@ impl Unit {
         if !(near(x) && near(y) && near(z) && around <= REACH / 2) {
             return None;
         }
-        let direction = ray.direction.map(|c| (c + (1 << 15)) >> (30 - BITS));
-        let [dx, dy, dz] = direction;
         Some(CoarseRay {
             origin,
-            direction,
-            start: x * dx + y * dy + z * dz,
+            direction: ray.direction.map(|c| (c + (1 << 15)) >> (30 - BITS)),
             // Farther than any place that is told apart.
             far: (ray.far >> self.shift).min(1 << 20) as i32 + MARGIN,
             around,
@@ -184,29 +173,22 @@ impl Sphere {
     /// Whether a ray surely passes by, or ends before it.
     #[inline(always)]
     fn missed(&self, ray: &CoarseRay) -> bool {
-        let [cx, cy, cz] = self.centre.map(i32::from);
-        let [dx, dy, dz] = ray.direction;
-        // 13 bits and 14, six times: below 2^30.
-        let middle = (cx * dx + cy * dy + cz * dz - ray.start) >> BITS;
         let radius = i32::from(self.radius) + ray.around;
-        if middle < -radius || self.radius == 0 {
-            return true;
-        }
-        self.is_beside(ray, middle, radius)
-    }
-
-    /// The same of what is not behind the ray, whose point nearest to the centre is at
-    /// `middle`.
-    #[inline(always)]
-    fn is_beside(&self, ray: &CoarseRay, middle: i32, radius: i32) -> bool {
         let ([cx, cy, cz], [ox, oy, oz]) = (self.centre.map(i32::from), ray.origin);
-        // 14 bits squared, three times: below 2^30.
+        // 15 bits and 14, three times: below 2^31.
         let (x, y, z) = (cx - ox, cy - oy, cz - oz);
-        if middle - radius > ray.far {
-            return true;
-        }
-        let off = x * x + y * y + z * z - middle * middle;
-        off - radius * radius > SLACK * middle.abs()
+        let [dx, dy, dz] = ray.direction;
+        let middle = (x * dx + y * dy + z * dz) >> BITS;
+        let beside = |c: i32, d: i32| {
+            let off = ((middle * d) >> BITS) - c;
+            (off + radius) as u32 > 2 * radius as u32
+        };
+        middle < -radius
+            || beside(x, dx)
+            || beside(y, dy)
+            || beside(z, dz)
+            || middle - radius > ray.far
+            || self.radius == 0
     }
 }
 
