@@ -47,6 +47,8 @@ pub enum Parts {
     Flat,
     /// Gouraud shading as well.
     Gouraud,
+    /// The same with the lists and bands of chips with 20 KB of RAM.
+    Compact,
     /// Everything but rays.
     Triangles,
     /// Rays alone, with everything that they show.
@@ -61,6 +63,7 @@ impl Parts {
         match self {
             Self::Flat => "flat shading alone",
             Self::Gouraud => "flat and Gouraud",
+            Self::Compact => "flat and Gouraud, bands of 8 rows",
             Self::Triangles => "everything but rays",
             Self::Rays => "rays alone",
             Self::All => "everything",
@@ -71,6 +74,7 @@ impl Parts {
         match self {
             Self::Flat => "demo",
             Self::Gouraud => "demo,gouraud",
+            Self::Compact => "demo,gouraud,compact",
             Self::Triangles => "demo,triangles",
             Self::Rays => "demo,rays-alone",
             Self::All => "demo,whole",
