@@ -28,39 +28,32 @@
 //!  or a bus of your own
 //! ```
 //!
-//! [`render::render_frame`] goes through it, [`render::Bands`] a band at a time. Data flows
+//! [`Renderer`] owns the RAM of it; [`render::render_frame`] goes through it in memory of your
+//! own, [`render::Bands`] a band at a time. Data flows
 //! down only: a stage imports those before it, and `render` alone knows all. By rays instead
 //! of triangles, with shadows, mirrors and glass: [`ray`].
 //!
 //! # In firmware
 //!
-//! The baker (`fixel bake`) makes a scene of a description and its meshes, which is read in
-//! place:
+//! The baker makes a scene of a description and its meshes (`fixel bake`, or `fixel_bake::scene`
+//! in a build script), which is read in place:
 //!
 //! ```
 //! use embedded_graphics_core::{draw_target::DrawTarget, geometry::Point, pixelcolor::Rgb565};
-//! use fixel::{Band, DrawTargetDisplay, Scene, SceneError, Scratch, render_frame};
+//! use fixel::{DrawTargetDisplay, Renderer, Scene, SceneError};
 //!
-//! /// What drawing needs of RAM, whatever the mesh: into a `static`.
-//! struct Memory {
-//!     indices: [u8; 320 * 16],
-//!     depths: [u16; 320 * 16],
-//!     scratch: Scratch<64, 8, 4>, // meshlets listed, kept; actors
-//! }
-//!
-//! /// Shows a scene, such as `fixel::include_scene!("teapot.fxl")`, on any display.
+//! /// Shows a scene, such as `fixel::include_scene!(OUT_DIR, "teapot.fxl")`, on any display.
+//! /// The renderer is what drawing needs of RAM, whatever the mesh: into a `static`.
 //! fn show<D: DrawTarget<Color = Rgb565>>(
 //!     blob: &[u8],
 //!     lcd: D,
-//!     memory: &mut Memory,
+//!     renderer: &mut Renderer<320, 16>, // columns, rows of a band
 //! ) -> Result<(), SceneError> {
 //!     let scene = Scene::parse(blob)?; // checks every number once
 //!     let mut panel = DrawTargetDisplay::new(lcd, Point::zero());
-//!     let mut band = Band::new(320, &mut memory.indices, &mut memory.depths).expect("a row");
 //!     for frame in 0.. {
-//!         let pose = scene.pose(frame);
-//!         let work = &mut memory.scratch.workspace();
-//!         if render_frame(&scene, &pose, work, &mut band, &mut panel).is_err() {
+//!         let pose = scene.pose(frame); // camera, turns: change what you like
+//!         if renderer.draw(&scene, &pose, &mut panel).is_err() {
 //!             break; // the bus; drawing itself cannot fail
 //!         }
 //!     }

@@ -167,8 +167,9 @@ enum Task {
     /// Write docs/gallery.md anew: every scene with its golden frame; and the pictures of
     /// docs/how/.
     Gallery,
-    /// Check where the links of all Markdown pages lead.
-    Links,
+    /// Check the Markdown pages: gallery and pictures are what would be drawn now, links
+    /// lead somewhere.
+    Pages,
     /// Write the README's tables anew from fresh figures.
     Readme,
     /// Rewrite golden frames, after a person has looked at them.
@@ -294,7 +295,11 @@ fn run(task: Task) -> Result<()> {
         },
         Task::Web => Err("there is no browser simulator yet".into()),
         Task::Gallery => gallery::run().and_then(|()| pictures::run()),
-        Task::Links => links::check(),
+        Task::Pages => {
+            let mut tally = Tally::default();
+            test::pages(&mut tally);
+            tally.result()
+        }
         Task::Readme => readme::run(),
         Task::Bless => bless::run(),
     }

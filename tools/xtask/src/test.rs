@@ -259,6 +259,11 @@ fn docs(tally: &mut Tally) {
         let name = format!("docs of targets/{folder}");
         tally.check(&name, child::visibly(&mut command));
     }
+    pages(tally);
+}
+
+/// The Markdown pages, which take no building.
+pub fn pages(tally: &mut Tally) {
     tally.check("the gallery is current", gallery::is_current());
     tally.check("the pages' pictures are current", pictures::are_current());
     tally.check("links of the pages", links::check());
