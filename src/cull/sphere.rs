@@ -25,8 +25,11 @@ pub(super) fn extent(
     let [side_x, side_y] = view.side_lengths;
     let [half_width, half_height] = view.middle.map(i64::from);
     let off = i64::from(reach) << SUBPX_BITS;
-    let edge = |half| view.side_at(half + off, distance) + 2;
-    if x.abs() > edge(half_width) + grown(side_x) || y.abs() > edge(half_height) + grown(side_y) {
+    let edge = |half, side| {
+        let at = view.side_at(half + off, distance);
+        at.saturating_add(grown(side) + 2)
+    };
+    if x.abs() > edge(half_width, side_x) || y.abs() > edge(half_height, side_y) {
         return None;
     }
 
@@ -57,7 +60,7 @@ pub(super) fn extent(
     })
 }
 
-/// A clip coordinate in sub-pixels from the middle, to within 2.
+/// A clip coordinate in sub-pixels from the middle, to within 2; held to 2^40.
 #[inline(never)]
 fn screen(view: &ActorView, v: i64, distance: i32) -> i64 {
     if !view.perspective {
@@ -67,9 +70,10 @@ fn screen(view: &ActorView, v: i64, distance: i32) -> i64 {
     let v = v.clamp(i32::MIN.into(), i32::MAX.into());
     let down = 62 - recip.shift as i32 - view.lens.exponent;
     let product = v * i64::from(recip.mantissa);
-    if down >= 0 {
+    let screen = if down >= 0 {
         product >> down.min(63)
     } else {
         product.saturating_mul(1 << down.wrapping_neg().min(62))
-    }
+    };
+    screen.clamp(-(1 << 40), 1 << 40)
 }

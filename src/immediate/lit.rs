@@ -71,8 +71,8 @@ pub(super) fn middle(corners: [Vec3; 3]) -> Vec3 {
             *sum += i64::from(c);
         }
     }
-    // A third of 33 bits and a sign.
-    Vec3::from_bits(sums.map(|sum| ((sum * 0x5555_5556) >> 32) as i32))
+    // A third of 33 bits and a sign: 24 bits of it are enough for a place.
+    Vec3::from_bits(sums.map(|sum| ((sum * 0x55_5555) >> 24) as i32))
 }
 
 /// A normal as faces have it in a blob; see

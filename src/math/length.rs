@@ -114,9 +114,9 @@ pub fn root(square: u64) -> u32 {
     }
     let (high, low) = ((square >> 32) as u32, square as u32);
     let (lead, x) = if high != 0 {
-        // 2 at least.
+        // 2 at least; what is beyond wraps.
         let lead = leading_zeros(high) & !1;
-        (lead, high << lead | low >> (32 - lead))
+        (lead, high << lead | low.wrapping_shr(32 - lead))
     } else {
         let lead = leading_zeros(low) & !1;
         (32 + lead, low << lead)

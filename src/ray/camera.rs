@@ -172,7 +172,11 @@ impl RayCamera {
         let (x, y) = (twice(tile.left, tile.right), twice(tile.top, tile.bottom));
         let mut middle = self.first;
         for ((c, across), down) in middle.iter_mut().zip(self.across).zip(self.down) {
-            *c += (across * x + down * y) >> 1;
+            // The way to a corner of the picture and back may have 64 bits, the sum has 62.
+            let way = (across >> 1).wrapping_mul(x);
+            *c = c
+                .wrapping_add(way)
+                .wrapping_add((down >> 1).wrapping_mul(y));
         }
         let changes = self.across.iter().chain(&self.down);
         let bits = 64 - changes.fold(1, |m, c| m | c.unsigned_abs()).leading_zeros();
@@ -222,15 +226,17 @@ impl RayCamera {
         if self.perspective && nearest < 16 {
             return all;
         }
-        // Pixels from the middle, rounded down, given with 20 fractional bits.
+        // Pixels from the middle, rounded down. Of a perspective given with 20 fractional
+        // bits, of a parallel view in raw world bits: 31 of either reach beyond any picture.
+        let fraction = if self.perspective { 20 } else { 16 };
         let pixels = |ratio: i64, m: i64| {
-            let down = 31 + 20 + SUBPX_BITS as i32 - frame.lens.exponent;
+            let down = 31 + fraction + SUBPX_BITS as i32 - frame.lens.exponent;
             let product = ratio.clamp(-(1 << 31), 1 << 31) * m;
             product >> down.clamp(0, 63)
         };
         let ratio = |side: i64| {
             if !self.perspective {
-                return side << 4;
+                return side;
             }
             let distance = if side > 0 { nearest } else { farthest };
             (side << 20).checked_div_euclid(distance).unwrap_or(0)

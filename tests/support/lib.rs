@@ -1,5 +1,6 @@
 //! What the tests share: scenes of the repository, and small ones made in code.
 
+pub mod fuzz;
 pub mod made;
 
 use std::path::{Path, PathBuf};

@@ -19,6 +19,7 @@ mod examples;
 mod firmware;
 mod flash;
 mod footprint;
+mod fuzz;
 mod gallery;
 mod gba;
 mod growth;
@@ -45,6 +46,7 @@ mod scaling;
 mod scaling_levels;
 mod scene;
 mod screen;
+mod soak;
 mod template;
 mod test;
 mod toolchain;
@@ -137,6 +139,30 @@ enum Task {
     /// Code, RAM and stack of a minimal firmware on every board, held to
     /// limits.
     Footprint(Json),
+    /// Fuzz the core, the baker and the renderers against the reference, on the nightly
+    /// toolchain. What is found stays in fuzz/artifacts.
+    Fuzz {
+        #[command(flatten)]
+        json: Json,
+        /// Only these
+        #[arg(value_name = "FUZZER", value_parser = fuzz::names())]
+        fuzzers: Vec<String>,
+        /// Seconds for each
+        #[arg(long, value_name = "N", default_value_t = 60)]
+        seconds: u32,
+    },
+    /// Draw a flight that ends where it began again and again, on the host and on an
+    /// emulated Cortex-M4F, and fail if any byte changes.
+    Soak {
+        #[command(flatten)]
+        json: Json,
+        /// Frames on the host
+        #[arg(long, value_name = "N", default_value_t = 1_000_000)]
+        host: u32,
+        /// Frames on the board
+        #[arg(long, value_name = "N", default_value_t = 10_000)]
+        board: u32,
+    },
     /// Build the demo firmware of a board with a scene linked in; prints the
     /// ELF file's path. For an RP2040 there is a UF2 file beside it. WebAssembly has no
     /// demo: its module takes a scene at run time.
@@ -268,6 +294,20 @@ fn run(task: Task) -> Result<()> {
             figures(&json, run, show)
         }
         Task::Footprint(json) => figures(&json, footprint::run, footprint::markdown),
+        Task::Fuzz {
+            json,
+            fuzzers,
+            seconds,
+        } => figures(
+            &json,
+            |tally| fuzz::run(tally, &fuzzers, seconds),
+            fuzz::markdown,
+        ),
+        Task::Soak { json, host, board } => figures(
+            &json,
+            |tally| soak::run(tally, host, board),
+            soak::markdown,
+        ),
         Task::Firmware(on) => {
             let file = match on.board {
                 Named::Board(board) => picture::build(board, on.scene())?,

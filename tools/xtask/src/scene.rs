@@ -109,7 +109,7 @@ pub fn bake(name: &str) -> Result<Baked> {
 }
 
 /// The scene as bytes for flash.
-fn blob(source: &Path, for_rays: bool) -> Result<Vec<u8>> {
+pub fn blob(source: &Path, for_rays: bool) -> Result<Vec<u8>> {
     let scene = fixel_scene::load(source).map_err(|error| error.to_string())?;
     let placed =
         |error: &fixel_bake::BakeError| scene.error(error.element, &error.to_string()).to_string();

@@ -10,14 +10,14 @@ use crate::problem::Result;
 use crate::report::Tally;
 use crate::{
     accepted, accuracy, child, examples, firmware, footprint, gallery, gba, hostbench, links,
-    package, panels, parity, paths, picture, pictures, scene, template, toolchain, view,
+    package, panels, parity, paths, picture, pictures, scene, soak, template, toolchain, view,
 };
 
 /// A stage: its name, and what it does.
 type Stage = (&'static str, fn(&mut Tally));
 
 /// In this order: what is quick and fails often comes first.
-const STAGES: [Stage; 16] = [
+const STAGES: [Stage; 17] = [
     ("format", format),
     ("lints", lints),
     ("tests", tests),
@@ -39,6 +39,10 @@ const STAGES: [Stage; 16] = [
     ("accuracy", |tally| {
         let result = accuracy::run(tally, None);
         tally.need("accuracy", result);
+    }),
+    ("soak", |tally| {
+        let result = soak::run(tally, 20_000, 500);
+        tally.need("soak", result);
     }),
 ];
 

@@ -1,0 +1,4 @@
+//! See `fixel_tests::fuzz::blob`.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| fixel_tests::fuzz::blob(bytes));

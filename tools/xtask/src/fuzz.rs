@@ -1,0 +1,254 @@
+//! Fuzzers by libFuzzer, on the nightly toolchain: what they run is in
+//! `tests/support/fuzz`. Built with the flags of `cargo fuzz` (coverage counters, traced
+//! comparisons, address sanitizer), without the program itself.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Duration;
+
+use serde_json::{Value, json};
+
+use crate::problem::{Problem, Result};
+use crate::report::{self, Tally};
+use crate::{child, debian, paths, scene};
+
+/// The fuzzers: name, longest input in bytes.
+const FUZZERS: [(&str, u32); 6] = [
+    ("blob", 16 << 10),
+    ("calls", 512),
+    ("scene", 1024),
+    ("text", 4096),
+    ("mesh", 8192),
+    ("picture", 4096),
+];
+
+const HOST: &str = "x86_64-unknown-linux-gnu";
+
+/// As `cargo fuzz` has them.
+const FLAGS: &str = "-Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4 \
+    -Cllvm-args=-sanitizer-coverage-inline-8bit-counters \
+    -Cllvm-args=-sanitizer-coverage-pc-table -Cllvm-args=-sanitizer-coverage-trace-compares \
+    -Zsanitizer=address -Ccodegen-units=1 --cfg fuzzing";
+
+/// Scenes whose blobs the blobs' fuzzer starts from: small ones, of every kind.
+const SEEDS: [&str; 5] = ["small", "moving", "lines", "panes", "rays"];
+
+/// The fuzzers' names.
+pub fn names() -> Vec<&'static str> {
+    FUZZERS.iter().map(|(name, _)| *name).collect()
+}
+
+/// Runs the fuzzers named, all if none is, for so many seconds each. Each one that finds
+/// nothing is a check; what is found stays in `fuzz/artifacts`.
+pub fn run(tally: &mut Tally, only: &[String], seconds: u32) -> Result<Value> {
+    build()?;
+    let mut figures = serde_json::Map::new();
+    for (name, longest) in FUZZERS {
+        if !only.is_empty() && !only.iter().any(|wanted| wanted == name) {
+            continue;
+        }
+        let result = fuzz(name, longest, seconds);
+        if let Some(figure) = tally.check(&format!("fuzzer {name}, {seconds} s"), result) {
+            figures.insert(name.to_owned(), figure);
+        }
+    }
+    Ok(Value::Object(figures))
+}
+
+/// The figures as a table.
+pub fn markdown(value: &Value) -> String {
+    let head = [
+        "fuzzer",
+        "seconds",
+        "executions",
+        "branches covered",
+        "inputs kept",
+    ];
+    let all = value.as_object().into_iter().flatten();
+    let rows = all.map(|(name, of)| {
+        let cell = |key: &str| of[key].to_string();
+        vec![
+            name.clone(),
+            cell("seconds"),
+            cell("executions"),
+            cell("coverage"),
+            cell("corpus"),
+        ]
+    });
+    report::table(&head, &rows.collect::<Vec<_>>())
+}
+
+fn folder() -> PathBuf {
+    paths::root().join("fuzz")
+}
+
+/// Builds all of them.
+fn build() -> Result<()> {
+    let nightly = child::output(Command::new("rustc").args(["+nightly", "--version"]));
+    let Some(version) = nightly else {
+        return Err(Problem::Missing(
+            "no nightly toolchain: `rustup toolchain install nightly` would bring it".into(),
+        ));
+    };
+    eprintln!("fuzzers: {}", version.trim());
+    cxx()?;
+    let mut command = Command::new("cargo");
+    child::without_outer_cargo(&mut command);
+    command
+        .args([
+            "+nightly",
+            "build",
+            "--quiet",
+            "--release",
+            "--target",
+            HOST,
+        ])
+        .arg("--manifest-path")
+        .arg(folder().join("Cargo.toml"))
+        .env("CARGO_TARGET_DIR", target())
+        .env("RUSTFLAGS", FLAGS);
+    child::visibly(&mut command)
+}
+
+/// A C++ compiler, for libFuzzer itself.
+fn cxx() -> Result<()> {
+    if debian::which("c++").is_none() && debian::can_install() {
+        debian::install(&["g++"])?;
+    }
+    if debian::which("c++").is_none() {
+        let missing = "no C++ compiler: `apt-get install g++` or its like would bring it";
+        return Err(Problem::Missing(missing.into()));
+    }
+    Ok(())
+}
+
+fn target() -> PathBuf {
+    match std::env::var_os("CARGO_TARGET_DIR") {
+        Some(folder) => Path::new(&folder).join("fuzz"),
+        None => folder().join("target"),
+    }
+}
+
+fn fuzz(name: &str, longest: u32, seconds: u32) -> Result<Value> {
+    let corpus = folder().join("corpus").join(name);
+    let artifacts = folder().join("artifacts").join(name);
+    for folder in [&corpus, &artifacts] {
+        fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    }
+    let found = paths::root().join("tests/data/fuzz").join(name);
+    for (seed, bytes) in seeds(name)? {
+        let to = corpus.join(format!("seed-{seed}"));
+        fs::write(&to, bytes).map_err(|error| format!("{}: {error}", to.display()))?;
+    }
+    let mut command = Command::new(target().join(HOST).join("release").join(name));
+    command
+        .arg(&corpus)
+        .args(found.is_dir().then_some(&found))
+        .arg(format!("-artifact_prefix={}/", artifacts.display()))
+        .arg(format!("-max_total_time={seconds}"))
+        .arg(format!("-max_len={longest}"))
+        .args(["-print_final_stats=1", "-timeout=20", "-rss_limit_mb=4096"]);
+    let limit = Duration::from_secs(u64::from(seconds) * 2 + 120);
+    let run = child::bounded(&mut command, limit)?;
+    if !run.success {
+        let end: Vec<&str> = run.stderr.lines().rev().take(40).collect();
+        let end: Vec<&str> = end.into_iter().rev().collect();
+        return Err(format!(
+            "found something, in {}; `cargo test -p fixel-tests --test fuzzed` runs it once it is \
+             in tests/data/fuzz/{name}:\n{}",
+            artifacts.display(),
+            end.join("\n")
+        )
+        .into());
+    }
+    let figures = Figures::of(&run.stderr);
+    Ok(json!({
+        "seconds": seconds,
+        "executions": figures.executions,
+        "coverage": figures.coverage,
+        "corpus": figures.corpus,
+    }))
+}
+
+/// What a fuzzer starts from: small files of every kind.
+fn seeds(name: &str) -> Result<Vec<(String, Vec<u8>)>> {
+    let root = paths::root();
+    let read = |file: &str| {
+        let path = root.join(file);
+        fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
+    };
+    let mut seeds = Vec::new();
+    match name {
+        "blob" => {
+            for seed in SEEDS {
+                let file = root.join(format!("tests/data/{seed}.toml"));
+                seeds.push((seed.to_owned(), scene::blob(&file, seed == "rays")?));
+            }
+        }
+        "text" => {
+            for seed in SEEDS {
+                seeds.push((seed.to_owned(), read(&format!("tests/data/{seed}.toml"))?));
+            }
+        }
+        "mesh" => {
+            // The first byte says which kind it is.
+            for (kind, file) in [(0, "cube.obj"), (1, "house.gltf"), (4, "ring_coloured.ply")] {
+                let bytes = read(&format!("scenes/meshes/{file}"))?;
+                seeds.push((file.to_owned(), [&[kind], bytes.as_slice()].concat()));
+            }
+        }
+        "picture" => seeds.push(("checker".to_owned(), read("scenes/textures/checker.png")?)),
+        _ => {}
+    }
+    Ok(seeds)
+}
+
+/// What libFuzzer says of a run.
+#[derive(Debug, Default, PartialEq, Eq)]
+struct Figures {
+    executions: u64,
+    coverage: u64,
+    corpus: u64,
+}
+
+impl Figures {
+    /// From `#512 NEW cov: 93 ft: 101 corp: 7/2044b ...`, the last such line, and
+    /// `stat::number_of_executed_units: 1024`.
+    fn of(text: &str) -> Self {
+        let mut figures = Self::default();
+        for line in text.lines() {
+            if let Some(count) = line.strip_prefix("stat::number_of_executed_units:") {
+                figures.executions = count.trim().parse().unwrap_or(0);
+            }
+            let after = |key: &str| {
+                let rest = line.split_once(key)?.1.trim_start();
+                let digits: String = rest.chars().take_while(char::is_ascii_digit).collect();
+                digits.parse().ok()
+            };
+            if line.starts_with('#') {
+                figures.coverage = after("cov:").unwrap_or(figures.coverage);
+                figures.corpus = after("corp:").unwrap_or(figures.corpus);
+            }
+        }
+        figures
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_figures_count() {
+        let text = "#2\tINITED cov: 10 ft: 11 corp: 1/1b exec/s: 0 rss: 40Mb\n\
+            #512\tNEW    cov: 93 ft: 101 corp: 7/2044b lim: 4\n\
+            stat::number_of_executed_units: 1024\n";
+        let wanted = Figures {
+            executions: 1024,
+            coverage: 93,
+            corpus: 7,
+        };
+        assert_eq!(Figures::of(text), wanted);
+    }
+}
