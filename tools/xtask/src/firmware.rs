@@ -200,7 +200,8 @@ fn cargo(route: Route, board: &Board, subcommand: &str) -> Command {
     command
 }
 
-fn cargo_for(route: Route, folder: &str, target: &str, subcommand: &str) -> Command {
+/// Cargo for a crate in `targets/`.
+pub fn cargo_for(route: Route, folder: &str, target: &str, subcommand: &str) -> Command {
     let mut command = route.cargo(target);
     command
         .args([subcommand, "--quiet", "--release"])

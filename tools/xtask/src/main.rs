@@ -52,6 +52,7 @@ mod test;
 mod toolchain;
 mod uf2;
 mod view;
+mod web;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -188,8 +189,12 @@ enum Task {
     /// while its BOOTSEL button is held, or by probe-rs.
     #[command(after_help = device::list())]
     Flash(OnBoard),
-    /// Build the browser simulator into one folder.
-    Web,
+    /// Build the browser simulator: one page, with everything in it, that needs no server.
+    Web {
+        /// The folder that gets index.html
+        #[arg(short, long, value_name = "DIR", default_value = "target/web")]
+        output: PathBuf,
+    },
     /// Write docs/gallery.md anew: every scene with its golden frame; and the pictures of
     /// docs/how/.
     Gallery,
@@ -333,7 +338,10 @@ fn run(task: Task) -> Result<()> {
             )
             .into()),
         },
-        Task::Web => Err("there is no browser simulator yet".into()),
+        Task::Web { output } => {
+            println!("{}", web::build(&output)?.display());
+            Ok(())
+        }
         Task::Gallery => gallery::run().and_then(|()| pictures::run()),
         Task::Pages => {
             let mut tally = Tally::default();

@@ -10,14 +10,14 @@ use crate::problem::Result;
 use crate::report::Tally;
 use crate::{
     accepted, accuracy, child, examples, firmware, footprint, gallery, gba, hostbench, links,
-    package, panels, parity, paths, picture, pictures, scene, soak, template, toolchain, view,
+    package, panels, parity, paths, picture, pictures, scene, soak, template, toolchain, view, web,
 };
 
 /// A stage: its name, and what it does.
 type Stage = (&'static str, fn(&mut Tally));
 
 /// In this order: what is quick and fails often comes first.
-const STAGES: [Stage; 17] = [
+const STAGES: [Stage; 18] = [
     ("format", format),
     ("lints", lints),
     ("tests", tests),
@@ -33,6 +33,7 @@ const STAGES: [Stage; 17] = [
     }),
     ("gba", gba_stage),
     ("panels", panels::run),
+    ("web", web::run),
     ("examples", examples::run),
     ("template", template::run),
     ("footprint", footprint_stage),
@@ -51,8 +52,8 @@ const HOST_CRATES: [&str; 4] = ["runner", "host", "demo", "libretro"];
 /// Those of them that have tests and docs.
 const TESTED: [&str; 3] = ["runner", "demo", "libretro"];
 /// All crates in `targets/`.
-const TARGET_CRATES: [&str; 9] = [
-    "runner", "host", "demo", "libretro", "cortex-m", "riscv", "wasm", "gba", "rp2040",
+const TARGET_CRATES: [&str; 10] = [
+    "runner", "host", "demo", "libretro", "cortex-m", "riscv", "wasm", "gba", "rp2040", "web",
 ];
 
 /// The stages' names.
