@@ -30,7 +30,7 @@ pub enum Command {
     Animate(Animate),
     /// Show a scene in a window, as its panel shows it.
     View(View),
-    /// (not there yet) Flash, RAM and frames a second on a board.
+    /// Flash, RAM, instructions and frames a second on a board.
     Estimate(Estimate),
     /// Print what makes a shell complete the words of this command.
     Completions(Completions),
@@ -234,9 +234,21 @@ pub struct Completions {
 pub struct Estimate {
     /// A scene, a mesh or a baked scene, as for render.
     pub scene: PathBuf,
-    /// The board.
+    #[command(flatten)]
+    pub screen: Screen,
+    /// The board; a wrong name lists them.
     #[arg(long, value_name = "NAME")]
     pub board: String,
+    /// Rows in a band, at most.
+    #[arg(long, value_name = "ROWS", default_value_t = 16,
+          value_parser = clap::value_parser!(u32).range(1..))]
+    pub bands: u32,
+    /// Frame of the animation.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub frame: u32,
+    /// The figures as JSON; - for standard output.
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<Destination>,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

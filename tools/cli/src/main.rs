@@ -8,6 +8,7 @@ mod args;
 mod bake;
 mod baked;
 mod compare;
+mod estimate;
 mod examples;
 mod info;
 mod input;
@@ -18,7 +19,6 @@ mod reference;
 mod render;
 mod view;
 
-use anyhow::bail;
 use args::{Cli, Command};
 use clap::{CommandFactory, Parser};
 use std::process::ExitCode;
@@ -50,7 +50,7 @@ fn run(command: Command) -> anyhow::Result<()> {
         Command::Info(args) => info::run(&args),
         Command::Animate(args) => animate::run(&args),
         Command::View(args) => view::run(&args),
-        Command::Estimate(_) => bail!("estimate is not there yet"),
+        Command::Estimate(args) => estimate::run(&args),
         Command::Completions(args) => completions(args.shell),
     }
 }

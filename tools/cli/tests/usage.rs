@@ -94,21 +94,6 @@ fn what_cannot_be_baked_is_told_with_its_line() {
 }
 
 #[test]
-fn what_is_not_there_yet_says_so() {
-    let folder = Folder::new();
-    let line = folder.fixel("estimate scene.toml --board pico").fails();
-    assert!(line.contains("is not there yet"), "{line}");
-    assert_eq!(folder.names(), ["scene.toml", "square.obj"]);
-    let help = folder.fixel("--help").ok();
-    let marked: Vec<&str> = help
-        .lines()
-        .filter(|line| line.contains("(not there yet)"))
-        .filter_map(|line| line.split_whitespace().next())
-        .collect();
-    assert_eq!(marked, ["estimate"]);
-}
-
-#[test]
 fn help_has_examples_and_no_colour_for_files() {
     let folder = Folder::new();
     for command in [
@@ -131,6 +116,32 @@ fn completions_are_for_each_shell() {
         );
     }
     assert_eq!(folder.fixel("completions dos").code(), 2);
+}
+
+#[test]
+fn a_scene_is_estimated_for_a_board() {
+    let folder = Folder::new();
+    let line = folder.fixel("estimate scene.toml --board pico").fails();
+    assert!(
+        line.contains("no board is called pico; there are rp2040-st7789"),
+        "{line}"
+    );
+    let text = folder.fixel("estimate scene.toml --board microbit").ok();
+    assert!(text.contains("frames a second"), "{text}");
+    let figures = folder
+        .fixel("estimate scene.toml --board stm32l4 --bands 2 --json -")
+        .ok();
+    for field in [
+        "flash_bytes",
+        "ram_bytes",
+        "instructions",
+        "frames_a_second",
+    ] {
+        assert!(figures.contains(&format!("\"{field}\": ")), "{figures}");
+    }
+    folder.fixel("bake scene.toml --ray -o rays.fxl").ok();
+    let line = folder.fixel("estimate rays.fxl --board microbit").fails();
+    assert!(line.contains("baked for rays"), "{line}");
 }
 
 #[test]

@@ -17,6 +17,7 @@ mod elf;
 mod emulator;
 mod examples;
 mod firmware;
+mod fit;
 mod flash;
 mod footprint;
 mod fuzz;
@@ -136,6 +137,18 @@ enum Task {
         /// Write those of frames into docs/performance.md, and the plot beside it
         #[arg(long)]
         write: bool,
+    },
+    /// Fit what `fixel estimate` goes by to counts from emulators, and say how far it is off
+    /// in scenes that nothing was fitted to.
+    Fit {
+        #[command(flatten)]
+        json: Json,
+        /// Take counts from a file that --json wrote, and make only those that it lacks
+        #[arg(long, value_name = "FILE")]
+        from: Option<PathBuf>,
+        /// Measure what firmware takes in flash and stack, too
+        #[arg(long)]
+        firmware: bool,
     },
     /// Code, RAM and stack of a minimal firmware on every board, held to
     /// limits.
@@ -297,6 +310,15 @@ fn run(task: Task) -> Result<()> {
             };
             let show = |all: &Value| scaling::markdown(all) + "\n" + &growth::markdown(all);
             figures(&json, run, show)
+        }
+        Task::Fit {
+            json,
+            from,
+            firmware,
+        } => {
+            let options = fit::Options { from, firmware };
+            let run = |tally: &mut Tally| fit::run(tally, &options);
+            figures(&json, run, |_| "fitted".into())
         }
         Task::Footprint(json) => figures(&json, footprint::run, footprint::markdown),
         Task::Fuzz {

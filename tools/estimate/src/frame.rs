@@ -1,0 +1,155 @@
+//! The work of a frame: the core draws it here, as the measured firmware would, and each
+//! step is counted.
+
+use std::cell::RefCell;
+
+use fixel::frame::BandRows;
+use fixel::render::{Bands, Direct, FrameStats, Paint, Scratch, Shaded};
+use fixel::scene::{Projection, Representation};
+use fixel::{Band, Scene};
+
+use crate::counting::{Counter, Counting};
+use crate::term::{Term, Work};
+
+/// Meshlets that the measured firmware lists.
+pub(crate) const MESHLETS: usize = 64;
+/// Meshlets that it keeps transformed.
+pub(crate) const SLOTS: usize = 10;
+/// Actors whose matrices it keeps.
+pub(crate) const ACTORS: usize = 4;
+
+/// The work of a frame of a scene, drawn by triangles as large as the scene says in bands
+/// of at most so many rows.
+pub fn work(scene: &Scene<'_>, frame: u32, band_rows: u16) -> Work {
+    let paint = Shaded {
+        dither: scene.dither(),
+    };
+    match Direct::new(scene, scene.dither()) {
+        Some(direct) => draw(&direct, scene, frame, band_rows, |counter, rows| {
+            counter.add(Term::DirectPx, rows.indices.len() as f64);
+        }),
+        None => {
+            let mut before = None;
+            let resolved = scene.output().is_resolved();
+            draw(&paint, scene, frame, band_rows, |work, rows| {
+                if resolved {
+                    work.add(Term::SamplePx, rows.indices.len() as f64);
+                    return;
+                }
+                for four in rows.indices.chunks(4) {
+                    let same = before.as_deref() == Some(four);
+                    let term = if same {
+                        Term::RepeatedFour
+                    } else {
+                        Term::OtherFour
+                    };
+                    work.add(term, 1.0);
+                    before = Some(four.to_vec());
+                }
+            })
+        }
+    }
+}
+
+fn draw<P: Paint>(
+    paint: &P,
+    scene: &Scene<'_>,
+    frame: u32,
+    band_rows: u16,
+    mut finished: impl FnMut(&mut Work, BandRows<'_, P::Stored>),
+) -> Work
+where
+    P::Stored: Default,
+{
+    let (width, height) = (scene.frame_width(), scene.frame_height());
+    let pose = scene.pose(frame);
+    let first = scene.place_viewport(0, &pose, width, height);
+    let perspective = matches!(first.camera.projection, Projection::Perspective { .. });
+    let counter = RefCell::new(Counter::new(scene, perspective));
+    let counting = Counting {
+        paint: *paint,
+        counter: &counter,
+    };
+    let rows = band_rows.clamp(1, height.max(1));
+    let pixels = usize::from(width.max(1)) * usize::from(rows);
+    let mut indices = vec![P::Stored::default(); pixels];
+    let mut depths = vec![0; pixels];
+    let mut scratch = Box::new(Scratch::<MESHLETS, SLOTS, ACTORS>::new());
+    let mut work = scratch.workspace();
+    let Ok(mut band) = Band::new(width, &mut indices, &mut depths) else {
+        return Work::default();
+    };
+    let mut bands = Bands::with(counting, scene, &pose, &mut work, &mut band, 0..height);
+    let mut shown = Work::default();
+    while let Some(rows) = bands.next() {
+        finished(&mut shown, rows);
+    }
+    let stats = bands.stats();
+    let mut counter = counter.into_inner();
+    // Each list is made from all actors.
+    for _ in 0..=stats.list_refills {
+        for actor in (0..scene.viewport_count()).flat_map(|_| 0..scene.actor_count()) {
+            counter.matrices(actor);
+        }
+    }
+    let mut work = counter.work;
+    for (term, amount) in Term::ALL.iter().zip(shown.all()) {
+        work.add(*term, *amount);
+    }
+    add_stats(&mut work, &stats);
+    let viewports = f64::from(scene.viewport_count());
+    work.add(Term::ViewportInBand, viewports * f64::from(stats.bands));
+    let mut cleared = 0.0;
+    for number in 0..scene.viewport_count() {
+        let rect = scene.place_viewport(number, &pose, width, height).rect;
+        cleared += f64::from(rect.width()) * f64::from(rect.height());
+    }
+    if !scene.is_filled(width) {
+        cleared += f64::from(width) * f64::from(height);
+    }
+    work.add(Term::ClearedPx, cleared);
+    work.add(Term::MarkPx, f64::from(stats.marks) * mark_px(scene));
+    let fills = f64::from(stats.list_refills + 1);
+    let listed = stats.meshlets - stats.meshlets_outside - stats.meshlets_away;
+    let displaced = (f64::from(listed) / fills - MESHLETS as f64).max(0.0) * fills;
+    work.add(Term::MeshletListed, f64::from(listed));
+    work.add(Term::MeshletDisplaced, displaced);
+    work
+}
+
+/// Pixels of a mark, in the mean of all.
+fn mark_px(scene: &Scene<'_>) -> f64 {
+    let (mut marks, mut px) = (0.0, 0.0);
+    for number in 0..scene.actor_count() {
+        let Some(look) = scene.look(number) else {
+            continue;
+        };
+        if look.representation != Representation::Points {
+            continue;
+        }
+        let mesh = scene.mesh(scene.actor(number).mesh);
+        let meshlets = mesh.first_meshlet..mesh.first_meshlet + mesh.meshlets;
+        let vertices = meshlets.filter_map(|number| scene.meshlet(number));
+        let count: f64 = vertices.map(|meshlet| f64::from(meshlet.vertices)).sum();
+        marks += count;
+        px += count * f64::from(look.mark_size[0]) * f64::from(look.mark_size[1]);
+    }
+    px / f64::max(marks, 1.0)
+}
+
+fn add_stats(work: &mut Work, stats: &FrameStats) {
+    let counts = [
+        (Term::Frame, 1),
+        (Term::Band, stats.bands),
+        (Term::Meshlet, stats.meshlets),
+        (Term::Triangle, stats.triangles),
+        (Term::TriangleAway, stats.triangles_away),
+        (Term::TriangleMissed, stats.triangles_missed),
+        (Term::TriangleClipped, stats.triangles_clipped),
+        (Term::Line, stats.lines),
+        (Term::Mark, stats.marks),
+    ];
+    for (term, count) in counts {
+        work.add(term, f64::from(count));
+    }
+}

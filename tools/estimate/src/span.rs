@@ -1,0 +1,65 @@
+//! The pixels of a triangle, row by row.
+
+use std::ops::Range;
+
+use fixel::math::SUBPX_BITS;
+use fixel::vertex::ScreenVertex;
+
+/// A vertex's place in pixels.
+pub(crate) fn place(vertex: &ScreenVertex) -> [f64; 2] {
+    let unit = f64::from(1 << SUBPX_BITS);
+    [vertex.x(), vertex.y()].map(|c| f64::from(c.to_bits()) / unit)
+}
+
+/// The rows, of `rows`, whose middles are between the triangle's top and bottom.
+pub(crate) fn rows(corners: [[f64; 2]; 3], rows: Range<u16>) -> Range<i32> {
+    let (least, most) = ends(corners.map(|[_, y]| y));
+    let from = (first_centre(least)).max(rows.start.into());
+    from..first_centre(most).min(rows.end.into()).max(from)
+}
+
+/// The columns, of `width`, whose middles are inside in a row.
+pub(crate) fn columns(corners: [[f64; 2]; 3], row: i32, width: u16) -> Range<usize> {
+    let y = f64::from(row) + 0.5;
+    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    for side in 0..3 {
+        let ([ax, ay], [bx, by]) = (corners[side], corners[(side + 1) % 3]);
+        if (ay <= y) != (by <= y) {
+            let x = ax + (y - ay) / (by - ay) * (bx - ax);
+            (least, most) = (least.min(x), most.max(x));
+        }
+    }
+    if least > most {
+        return 0..0;
+    }
+    let column = |x: f64| (first_centre(x)).clamp(0, width.into()) as usize;
+    column(least)..column(most)
+}
+
+/// The first pixel whose middle is at or past a place.
+pub(crate) fn first_centre(place: f64) -> i32 {
+    (place - 0.5).ceil() as i32
+}
+
+/// The least and the most.
+pub(crate) fn ends<const N: usize>(all: [f64; N]) -> (f64, f64) {
+    let least = all.iter().copied().fold(f64::INFINITY, f64::min);
+    (least, all.iter().copied().fold(f64::NEG_INFINITY, f64::max))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_a_square_has_its_pixels() {
+        let corners = [[0.0, 0.0], [8.0, 0.0], [0.0, 8.0]];
+        assert_eq!(rows(corners, 0..100), 0..8);
+        assert_eq!(rows(corners, 3..5), 3..5);
+        assert_eq!(rows(corners, 9..12), 9..9);
+        assert_eq!(columns(corners, 0, 100), 0..7);
+        assert_eq!(columns(corners, 6, 100), 0..1);
+        assert_eq!(columns(corners, 0, 4), 0..4);
+        assert_eq!(columns(corners, 8, 100), 0..0);
+    }
+}
