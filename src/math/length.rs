@@ -68,7 +68,7 @@ pub fn unit(v: [i32; 3]) -> Option<(super::Unit3, Scaled)> {
     Some((unit, Scaled::nearly_normal(y << 1, exponent - 1)))
 }
 
-/// The direction of a vector alone, as [`unit`] gives it.
+/// The direction of a vector alone, as [`unit()`] gives it.
 #[inline(never)]
 pub fn unit_vector(v: [i32; 3]) -> Option<super::Unit3> {
     unit_parts(v).map(|(unit, ..)| unit)
