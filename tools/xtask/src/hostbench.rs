@@ -31,7 +31,7 @@ pub fn run(tally: &mut Tally, pictures: Option<&Path>) -> Result<Value> {
     let mut command = Command::new("cargo");
     child::without_outer_cargo(&mut command);
     command
-        .args(["build", "--quiet", "--release", "--locked"])
+        .args(["build", "--quiet", "--release"])
         .arg("--manifest-path")
         .arg(manifest())
         .arg("--target-dir")

@@ -166,7 +166,7 @@ fn lints(tally: &mut Tally) {
     ];
     let result = child::visibly(&mut cargo(&arguments));
     tally.check("lints of the core without features", result);
-    let mut command = cargo(&["clippy", "--quiet", "--locked", "--manifest-path"]);
+    let mut command = cargo(&["clippy", "--quiet", "--manifest-path"]);
     command
         .arg(hostbench::manifest())
         .args(["--", "-D", "warnings"]);
