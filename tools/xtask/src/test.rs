@@ -17,13 +17,12 @@ use crate::{
 type Stage = (&'static str, fn(&mut Tally));
 
 /// In this order: what is quick and fails often comes first.
-const STAGES: [Stage; 16] = [
+const STAGES: [Stage; 14] = [
     ("format", format),
     ("lints", lints),
     ("tests", tests),
     ("view", view::run),
     ("docs", docs),
-    ("package", package::run),
     ("firmware-lints", firmware_lints),
     ("counter", counter),
     ("counts", accepted::check),
@@ -33,7 +32,6 @@ const STAGES: [Stage; 16] = [
     }),
     ("gba", gba_stage),
     ("panels", panels::run),
-    ("examples", examples::run),
     ("footprint", footprint_stage),
     ("accuracy", |tally| {
         let result = accuracy::run(tally, None);
@@ -46,7 +44,12 @@ const STAGES: [Stage; 16] = [
 ];
 
 /// Run only if they are named: they have not been seen to pass as a whole on a clean machine.
-const BY_NAME: [Stage; 2] = [("template", template::run), ("web", web::run)];
+const BY_NAME: [Stage; 4] = [
+    ("package", package::run),
+    ("examples", examples::run),
+    ("template", template::run),
+    ("web", web::run),
+];
 
 /// Crates in `targets/` that the host builds and tests.
 const HOST_CRATES: [&str; 4] = ["runner", "host", "demo", "libretro"];
