@@ -194,7 +194,7 @@ function tick(now) {
   const moved = Object.keys(moves).length > 0;
   const wait = 1000 * Math.max(shown.frame_seconds, 1 / MOST_FRAMES);
   if (playing && now >= due - 4) {
-    due = Math.max(due + wait, now - wait);
+    due = Math.max(due + wait, now);
     number += 1;
     draw();
   } else if (moved && !playing) {

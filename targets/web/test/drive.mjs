@@ -293,6 +293,8 @@ for (const [name, [width, height, dots, more]] of Object.entries(SCREENS)) {
     await browser.screen(width, height, dots, more);
     await visit({ panel: more.dark ? "ssd1306-128x64" : "st7789-320x240", paused: "", sample: more.dark ? "bunny" : "teapot" });
     writeFileSync(join(task.folder, `${name}.png`), await browser.screenshot(more.touch));
+    await browser.evaluate(`${element("rust")}.open = true`);
+    await browser.until(`${element("code")}.textContent !== ""`);
     const [inner, outer, unnamed] = await browser.evaluate(`[
       document.documentElement.scrollWidth, document.documentElement.clientWidth,
       [...document.querySelectorAll("button, select, input, canvas, meter")].filter((e) =>

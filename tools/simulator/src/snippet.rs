@@ -11,6 +11,8 @@ use crate::facts::band_rows;
 struct Parts {
     /// What the function is generic over.
     bound: &'static str,
+    /// What it depends on.
+    crates: &'static str,
     /// Who implements the bound.
     who: String,
     /// `use` lines beside the usual ones.
@@ -131,10 +133,12 @@ pub(crate) fn program(scene: &Scene<'_>, panel: &Panel, name: &str, rays: bool) 
     let wrapped = parts.panel.iter().map(|line| format!("    {line}\n"));
     let wrapped: String = wrapped.collect();
     let Way { band, draw, .. } = way;
-    let Parts { bound, who, .. } = parts;
+    let Parts {
+        bound, who, crates, ..
+    } = parts;
     format!(
         "//! {name}.fxl on a {}: {}x{}, in bands of {rows} rows.\n\
-         //! In Cargo.toml: fixel, embedded-graphics-core = \"0.4\"\n\
+         //! In Cargo.toml: {crates}\n\
          {uses}\n\n\
          static SCENE: &[u8] = fixel::include_scene!(\"{name}.fxl\");\n\
          const FRAME_WIDTH: usize = {width};\n\
@@ -162,6 +166,7 @@ pub(crate) fn program(scene: &Scene<'_>, panel: &Panel, name: &str, rays: bool) 
 fn draw_target() -> Parts {
     Parts {
         bound: "DrawTarget<Color = Rgb565>",
+        crates: "fixel, embedded-graphics-core = \"0.4\"",
         who: "any display of embedded-graphics, such as a driver from mipidsi".into(),
         uses: vec![
             "use embedded_graphics_core::draw_target::DrawTarget;",
@@ -251,6 +256,7 @@ fn packed(scene: &Scene<'_>, panel: &Panel) -> Parts {
     };
     Parts {
         bound: "PackedRows",
+        crates: "fixel",
         who: format!(
             "a panel that takes {how}: `PackedRows` is one function,\n\
              /// `rows(&mut self, y, bytes)`, which sends them"
