@@ -1,7 +1,7 @@
 // The page: what is chosen, what is shown. The core draws in a worker.
 
 const $ = (id) => document.getElementById(id);
-const CATALOGUE = 0, FORGET = 1, FILE = 2, OPEN = 3, FRAME = 4, BLOB = 5, PROGRAM = 6;
+const CATALOGUE = 0, FORGET = 1, FILE = 2, OPEN = 3, FRAME = 4, BLOB = 5, PROGRAM = 6, ESTIMATE = 7;
 /// Kinds of files that can be shown, the first that there is being the one that names others.
 const KINDS = ["toml", "fxl", "gltf", "glb", "obj", "stl", "ply"];
 /// A screen shows no more.
@@ -75,10 +75,10 @@ async function open(changes, after = {}) {
   if (answer.done) {
     const facts = JSON.parse(answer.text);
     if (!shown || shown.path !== path) number = 0;
-    shown = { ...wanted, ...facts };
+    shown = { ...wanted, ...facts, estimate: null, notes: [...(after.notes ?? []), ...facts.notes] };
     wanted.rays = facts.rays;
     $("error").hidden = true;
-    showFacts(after.notes ?? []);
+    await estimate();
     fit();
     await drawSoon({ reset: changes.path !== undefined });
     return;
@@ -96,6 +96,16 @@ function complain(path, answer) {
   $("error-title").textContent = `${title}: ${fileName(path)}`;
   $("error-text").textContent = answer.text;
   $("error").hidden = false;
+}
+
+/// What it takes on the board, as far as there are estimates of it.
+async function estimate() {
+  const of = shown;
+  const board = panelOf(of.panel).board ?? of.board;
+  const answer = await ask(ESTIMATE, JSON.stringify({ board, number }));
+  if (shown !== of) return;
+  shown.estimate = answer.done ? JSON.parse(answer.text) : null;
+  showFacts();
 }
 
 async function openFiles(list) {
@@ -274,7 +284,7 @@ function listenToButtons() {
     wanted.board = event.target.value;
     if (!shown) return;
     shown.board = wanted.board;
-    showFacts([]);
+    estimate();
   });
   for (const input of document.getElementsByName("renderer")) {
     input.addEventListener("change", () => open({ rays: input.value === "ray" }));

@@ -4,6 +4,8 @@ const bytesText = (bytes) => bytes < 1024 ? `${bytes} B`
   : bytes < 1024 * 1024 ? `${(bytes / 1024).toFixed(bytes < 102400 ? 1 : 0)} KB`
   : `${(bytes / 1048576).toFixed(1)} MB`;
 
+const time = (seconds) => seconds >= 0.01 ? `${Math.round(seconds * 1000)} ms` : `${(seconds * 1000).toFixed(1)} ms`;
+
 function rateText(rate) {
   return rate >= 100 ? Math.round(rate).toString() : rate.toFixed(1);
 }
@@ -21,22 +23,30 @@ function showChoices() {
   for (const chip of $("samples").children) chip.setAttribute("aria-pressed", String(chip.textContent === sample?.title));
 }
 
-function showFacts(notes) {
-  const panel = panelOf(shown.panel), board = boardOf(panel.board ?? shown.board);
+function showFacts() {
+  const panel = panelOf(shown.panel), board = boardOf(panel.board ?? shown.board), { estimate } = shown;
   showChoices();
   const bus = Math.min(panel.bus_hz || Infinity, board.bus_hz || Infinity);
-  shown.frame_seconds = panel.bus_hz ? panel.frame_bits / bus + panel.settle_ms / 1000 : panel.frame_seconds;
+  const sending = panel.bus_hz ? panel.frame_bits / bus + panel.settle_ms / 1000 : panel.frame_seconds;
+  shown.frame_seconds = estimate ? 1 / estimate.frames_a_second : sending;
   const rate = 1 / shown.frame_seconds;
-  $("fps").textContent = rateText(rate);
-  $("fps-note").textContent = panel.bus_hz
-    ? `as the bus brings them: ${bytesText(panel.frame_bits / 8)} at ${bus / 1e6} MHz`
-      + (panel.settle_ms ? `, then ${panel.settle_ms} ms to settle` : "")
-      + (rate > MOST_FRAMES ? `; shown are ${MOST_FRAMES}` : "")
-    : "the panel reads its memory by itself";
-  fillMeter("ram", shown.ram_bytes, board.ram_bytes, `band of ${shown.band_rows} rows and lists, of ${bytesText(board.ram_bytes)}`);
-  fillMeter("flash", shown.blob_bytes, board.flash_bytes, `the scene, of ${bytesText(board.flash_bytes)}`);
+  $("fps").textContent = (estimate ? "≈ " : "") + rateText(rate);
+  $("fps-note").textContent = [
+    estimate ? `${time(estimate.drawing_s)} to draw (${(estimate.instructions / 1e6).toFixed(2)} million instructions)` : "",
+    panel.bus_hz ? `${time(panel.frame_bits / bus)} to send ${bytesText(panel.frame_bits / 8)} at ${bus / 1e6} MHz` : "the panel reads its memory by itself",
+    panel.settle_ms ? `${panel.settle_ms} ms to settle` : "",
+    shown.rays ? "how long rays take to draw is not estimated" : "",
+    rate > MOST_FRAMES ? `shown are ${MOST_FRAMES}` : "",
+  ].filter(Boolean).join("; ");
+  const [ram, flash] = [board.ram_bytes, board.flash_bytes].map(bytesText);
+  fillMeter("ram", estimate?.ram_bytes ?? shown.ram_bytes, board.ram_bytes, estimate
+    ? `of ${ram}: band of ${shown.band_rows} rows ${bytesText(estimate.band_bytes)}, bus ${bytesText(estimate.bus_bytes)}, lists ${bytesText(estimate.scratch_bytes)}, stack ${bytesText(estimate.stack_bytes)}`
+    : `of ${ram}: band of ${shown.band_rows} rows, and lists`);
+  fillMeter("flash", estimate?.flash_bytes ?? shown.blob_bytes, board.flash_bytes, estimate
+    ? `of ${flash}: program ${bytesText(estimate.code_bytes)}, scene ${bytesText(shown.blob_bytes)}`
+    : `of ${flash}: the scene`);
   $("triangles").textContent = shown.triangles.toLocaleString("en");
-  $("notes").replaceChildren(...[...notes, ...shown.notes].map((note) => element("li", note)));
+  $("notes").replaceChildren(...shown.notes.map((note) => element("li", note)));
   $("download-name").textContent = `${shown.name}.fxl (${bytesText(shown.blob_bytes)})`;
   $("caption").textContent = `${panel.title}, ${panel.colours}`;
   $("board-note").textContent = board.chip;
@@ -50,7 +60,7 @@ function showFacts(notes) {
 function fillMeter(id, used, most, note) {
   $(id).textContent = bytesText(used);
   $(id).classList.toggle("over", used > most);
-  $(`${id}-note`).textContent = used > most ? `more than this board's ${bytesText(most)}` : note;
+  $(`${id}-note`).textContent = used > most ? `too much, ${note}` : note;
   const meter = $(`${id}-meter`);
   meter.max = most;
   meter.value = Math.min(used, most);

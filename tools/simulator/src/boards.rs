@@ -1,91 +1,20 @@
-//! Boards that panels hang on: what memory they have, and how fast their bus is.
+//! Boards that panels hang on: those that there are estimates for, whatever panel these
+//! name.
 
+use fixel_estimate::{BOARDS, Board, Estimate, Model, Panel as Sent};
+use fixel_scene::{ColourFormat, Feed, Panel};
 use serde_json::{Value, json};
 
-/// A board, by its data sheet.
-struct Board {
-    name: &'static str,
-    title: &'static str,
-    chip: &'static str,
-    ram_kb: u32,
-    flash_kb: u32,
-    /// The fastest clock of its serial bus in Hz; 0: its panel reads memory.
-    bus_hz: u32,
-}
-
-const MHZ: u32 = 1_000_000;
-
-const fn board(
-    name: &'static str,
-    [title, chip]: [&'static str; 2],
-    [ram_kb, flash_kb]: [u32; 2],
-    bus_hz: u32,
-) -> Board {
-    Board {
-        name,
-        title,
-        chip,
-        ram_kb,
-        flash_kb,
-        bus_hz,
-    }
-}
-
-const BOARDS: [Board; 8] = [
-    board(
-        "rp2040",
-        [
-            "Raspberry Pi Pico",
-            "RP2040: Cortex-M0+ at 125 MHz, SPI at 62.5 MHz",
-        ],
-        [264, 2048],
-        62_500_000,
-    ),
-    board(
-        "microbit",
-        ["micro:bit", "nRF51822: Cortex-M0 at 16 MHz, SPI at 4 MHz"],
-        [16, 256],
-        4 * MHZ,
-    ),
-    board(
-        "stm32f103c8",
-        [
-            "Blue Pill",
-            "STM32F103C8: Cortex-M3 at 72 MHz, SPI at 18 MHz",
-        ],
-        [20, 64],
-        18 * MHZ,
-    ),
-    board(
-        "stm32l476",
-        ["STM32L476", "Cortex-M4F at 80 MHz, SPI at 40 MHz"],
-        [128, 1024],
-        40 * MHZ,
-    ),
-    board(
-        "stm32f405",
-        ["STM32F405", "Cortex-M4F at 168 MHz, SPI at 42 MHz"],
-        [192, 1024],
-        42 * MHZ,
-    ),
-    board(
-        "nrf52840",
-        ["nRF52840", "Cortex-M4F at 64 MHz, SPI at 32 MHz"],
-        [256, 1024],
-        32 * MHZ,
-    ),
-    board(
-        "esp32c3",
-        ["ESP32-C3", "RISC-V (RV32IMC) at 160 MHz, SPI at 80 MHz"],
-        [400, 4096],
-        80 * MHZ,
-    ),
-    board(
-        GBA,
-        ["Game Boy Advance", "ARM7TDMI at 16.8 MHz"],
-        [288, 32768],
-        0,
-    ),
+/// Name of an estimate's board, what people call it, and its processor.
+const OFFERED: [[&str; 3]; 8] = [
+    ["rp2040-st7789", "Raspberry Pi Pico", "RP2040, Cortex-M0+"],
+    ["microbit", "micro:bit", "nRF51822, Cortex-M0"],
+    ["stm32f103c8", "Blue Pill", "STM32F103C8, Cortex-M3"],
+    ["stm32l4", "STM32L476", "Cortex-M4F"],
+    ["stm32f405", "STM32F405", "Cortex-M4F"],
+    ["nrf52840", "nRF52840", "Cortex-M4F"],
+    ["esp32c3", "ESP32-C3", "RISC-V"],
+    [GBA, "Game Boy Advance", "ARM7TDMI"],
 ];
 
 /// The one whose panel hangs on nothing else.
@@ -93,15 +22,108 @@ pub(crate) const GBA: &str = "gba";
 
 /// All of them, for the catalogue.
 pub(crate) fn boards() -> Vec<Value> {
-    let entry = |board: &Board| {
-        json!({
-            "name": board.name,
-            "title": board.title,
-            "chip": board.chip,
-            "ram_bytes": board.ram_kb * 1024,
-            "flash_bytes": board.flash_kb * 1024,
-            "bus_hz": board.bus_hz,
-        })
+    let entry = |[name, title, core]: &[&str; 3]| {
+        let board = BOARDS.iter().find(|board| board.name == *name)?;
+        let bus_hz = board.panel.bits_a_second;
+        let mhz = |hz: u32| (f64::from(hz) / 1e5).round() / 10.0;
+        let bus = if bus_hz > 0 {
+            format!(", SPI at {} MHz", mhz(bus_hz))
+        } else {
+            String::new()
+        };
+        Some(json!({
+            "name": name,
+            "title": title,
+            "chip": format!("{core} at {} MHz{bus}", mhz(board.clock_hz)),
+            "ram_bytes": board.ram_bytes,
+            "flash_bytes": board.flash_bytes,
+            "bus_hz": bus_hz,
+        }))
     };
-    BOARDS.iter().map(entry).collect()
+    OFFERED.iter().filter_map(entry).collect()
+}
+
+/// What a frame of a scene takes on a board with a panel, of its number and in bands of so
+/// many rows. Nothing of a scene that is baked for rays.
+pub(crate) fn estimate(
+    scene: &fixel::Scene<'_>,
+    scene_bytes: usize,
+    panel: &Panel,
+    name: &str,
+    asked: (u32, u16),
+) -> Result<Value, String> {
+    let own = Board::find(name)?;
+    let board = Board {
+        panel: sent(panel, own),
+        ..*own
+    };
+    let model = Model::fitted().map_err(|error| error.to_string())?;
+    let estimate = Estimate::new(&model, &board, scene, asked, scene_bytes as u64);
+    let Some(e) = estimate.filter(|_| !scene.has_rays()) else {
+        return Ok(Value::Null);
+    };
+    Ok(json!({
+        "code_bytes": e.code_bytes,
+        "flash_bytes": e.flash_bytes(),
+        "ram_bytes": e.ram_bytes(),
+        "band_bytes": e.band_bytes,
+        "bus_bytes": e.bus_bytes,
+        "scratch_bytes": e.scratch_bytes,
+        "stack_bytes": e.stack_bytes,
+        "instructions": e.instructions,
+        "drawing_s": e.drawing_s,
+        "frames_a_second": e.frames_a_second.min(1.0 / panel.frame_seconds()),
+    }))
+}
+
+/// How a board sends to a panel: as fast as both can.
+fn sent(panel: &Panel, board: &Board) -> Sent {
+    let bits_a_pixel = match panel.colour {
+        ColourFormat::Mono => 1,
+        ColourFormat::Gray4 => 4,
+        _ => 16,
+    };
+    match panel.feed {
+        Feed::Memory { .. } => Sent {
+            name: panel.name,
+            ..board.panel
+        },
+        Feed::Serial { hz, settle_ms, .. } => {
+            let hz = f64::from(match board.panel.bits_a_second {
+                0 => hz,
+                most => hz.min(most),
+            });
+            // What a row has beside its pixels slows these down.
+            let pixels = f64::from(panel.width * panel.height * bits_a_pixel);
+            Sent {
+                name: panel.name,
+                bits_a_pixel,
+                bits_a_second: (hz * pixels / f64::from(panel.frame_bits())).round() as u32,
+                refresh_ms: settle_ms,
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_that_is_offered_is_there() {
+        assert_eq!(boards().len(), OFFERED.len());
+    }
+
+    #[test]
+    fn the_slower_of_board_and_panel_sets_the_rate() {
+        let rate = |panel: &str, board: &str| {
+            let panel = Panel::named(panel).unwrap();
+            sent(panel, Board::find(board).unwrap()).bits_a_second
+        };
+        assert_eq!(rate("st7789-240x240", "stm32f405"), 42_000_000);
+        assert_eq!(rate("st7735-160x128", "stm32f405"), 15_000_000);
+        // 400 of 416 bits a row are pixels.
+        assert_eq!(rate("sharp-400x240", "stm32f405"), 1_923_077);
+        assert_eq!(rate("gba-240x160", GBA), 0);
+    }
 }

@@ -12,5 +12,5 @@ mod samples;
 mod session;
 mod snippet;
 
-pub use requests::{Frame, Open};
+pub use requests::{Asked, Frame, Open};
 pub use session::{Answer, Session};

@@ -15,6 +15,15 @@ pub struct Open {
     pub rays: Option<bool>,
 }
 
+/// What to estimate.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Asked {
+    /// The board's name.
+    pub board: String,
+    /// Number of the animation's frame.
+    pub number: u32,
+}
+
 /// A frame to draw, and how the view has been moved since the last one.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(default)]

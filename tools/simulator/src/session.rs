@@ -11,8 +11,8 @@ use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
 use crate::catalogue::{catalogue, panel};
-use crate::requests::{Frame, Open};
-use crate::{facts, samples, snippet};
+use crate::requests::{Asked, Frame, Open};
+use crate::{boards, facts, samples, snippet};
 
 /// What comes of a call.
 #[derive(Clone, Debug, Default)]
@@ -82,7 +82,8 @@ impl Session {
     /// 3. opens a scene ([`Open`]) and says what is in it;
     /// 4. draws a [`Frame`];
     /// 5. hands over the baked scene;
-    /// 6. writes a program that shows it.
+    /// 6. writes a program that shows it;
+    /// 7. estimates what a frame takes on a board ([`Asked`]).
     pub fn call(&mut self, what: u32, input: &[u8]) -> Answer {
         let nothing = |text: String| (text, Vec::new());
         let result = match what {
@@ -100,6 +101,9 @@ impl Session {
                 .shown()
                 .map(|shown| (String::new(), shown.baked.bytes().to_vec())),
             6 => self.snippet().map(nothing),
+            7 => parse(input)
+                .and_then(|asked| self.estimate(&asked))
+                .map(|estimate| nothing(estimate.to_string())),
             _ => Err(format!("there is no call {what}")),
         };
         match result {
@@ -270,6 +274,17 @@ impl Session {
         });
         let bytes = pixels.iter().flat_map(|[r, g, b]| [*r, *g, *b, 255]);
         Ok((answer.to_string(), bytes.collect()))
+    }
+
+    fn estimate(&mut self, asked: &Asked) -> Result<Value> {
+        let shown = self.shown()?;
+        if shown.rays {
+            return Ok(Value::Null);
+        }
+        let core = shown.baked.scene().map_err(|error| error.to_string())?;
+        let (bytes, rows) = (shown.baked.bytes().len(), facts::band_rows(false) as u16);
+        let of = (asked.number, rows);
+        boards::estimate(&core, bytes, &shown.panel, &asked.board, of)
     }
 
     fn snippet(&mut self) -> Result<String> {

@@ -239,15 +239,16 @@ fn packed(scene: &Scene<'_>, panel: &Panel) -> Parts {
         memory.push(line("errors", "i16", panel.width));
     }
     let height = panel.height;
+    let own = if resolved { "packed" } else { "mut panel" };
     let mut wrapped = vec![
         format!("let dither = {dither};"),
         "let line = &mut memory.line;".into(),
-        format!("let mut panel = Packed::new(Packing::{packing}, {height}, dither, line, panel);"),
+        format!("let {own} = Packed::new(Packing::{packing}, {height}, dither, line, panel);"),
     ];
     if resolved {
         memory.push(sums(panel));
         wrapped.push("let sums = &mut memory.sums;".into());
-        wrapped.push("let mut panel = ResolvePacked::new(scene.output(), sums, panel);".into());
+        wrapped.push("let mut panel = ResolvePacked::new(scene.output(), sums, packed);".into());
     }
     let how = if packing == "Pages" {
         "pages of 8 rows"

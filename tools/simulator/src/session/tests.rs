@@ -76,6 +76,22 @@ fn a_hand_moves_the_view_and_it_goes_back() {
 }
 
 #[test]
+fn boards_are_estimated() {
+    let mut session = Session::default();
+    json(&open(&mut session, "scenes/teapot.toml", "st7789-240x240"));
+    let mut estimate = |board: &str| {
+        let asked = json!({ "board": board, "number": 3 }).to_string();
+        session.call(7, asked.as_bytes())
+    };
+    let [pico, microbit] = ["rp2040-st7789", "microbit"].map(|board| json(&estimate(board)));
+    let rate = |estimate: &Value| estimate["frames_a_second"].as_f64().unwrap();
+    assert!(rate(&pico) > 2.0 * rate(&microbit), "{pico} {microbit}");
+    assert!(rate(&pico) < 67.9, "more than the bus brings");
+    assert!(pico["ram_bytes"].as_u64() > Some(20_000));
+    assert!(!estimate("abacus").done);
+}
+
+#[test]
 fn mistakes_say_where_they_are_and_change_nothing() {
     let mut session = with_file("wrong.obj", b"v 0 0 0\nv 1 0 zero\n");
     let answer = open(&mut session, "wrong.obj", "st7789-240x240");
