@@ -199,10 +199,13 @@ fn sort(list: &mut [Entry]) {
                 break;
             };
             while let Some(before) = at.checked_sub(gap) {
-                if list.get(before).is_none_or(|entry| entry.place() <= moved) {
+                let Ok([earlier, later]) = list.get_disjoint_mut([before, at]) else {
+                    break;
+                };
+                if earlier.place() <= moved {
                     break;
                 }
-                list.swap(before, at);
+                core::mem::swap(earlier, later);
                 at = before;
             }
         }
