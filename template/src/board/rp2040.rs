@@ -5,6 +5,7 @@ use core::fmt::Debug;
 use cortex_m::singleton;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::prelude::*;
+use embedded_hal::spi::MODE_3;
 use embedded_hal_bus::spi::ExclusiveDevice;
 use mipidsi::interface::SpiInterface;
 use mipidsi::options::ColorInversion;
@@ -12,7 +13,7 @@ use mipidsi::{Builder, models::ST7789};
 use panic_halt as _;
 use rp2040_hal::fugit::RateExtU32;
 use rp2040_hal::gpio::{FunctionSpi, Pins};
-use rp2040_hal::{Clock, Sio, Spi, Timer, Watchdog, clocks, pac, spi};
+use rp2040_hal::{Clock, Sio, Spi, Timer, Watchdog, clocks, pac};
 
 /// Sets the flash chip up.
 #[unsafe(link_section = ".boot2")]
@@ -55,7 +56,7 @@ pub fn display() -> impl DrawTarget<Color = Rgb565, Error: Debug> {
         clocks.peripheral_clock.freq(),
         62_500_000.Hz(),
         // Mode 3: modules without a CS pin need it.
-        spi::FrameFormat::MotorolaSpi(embedded_hal::spi::MODE_3),
+        MODE_3,
     );
     let device = ExclusiveDevice::new_no_delay(spi, pins.gpio17.into_push_pull_output()).unwrap();
     let buffer = singleton!(: [u8; 512] = [0; 512]).unwrap();

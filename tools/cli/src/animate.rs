@@ -37,8 +37,8 @@ struct Picture {
 /// Renders the frames of an animation and writes them.
 pub fn run(args: &args::Animate) -> Result<()> {
     let kind = kind(&args.output)?;
-    let name = || args.scene.display().to_string();
-    let input = input::load(&args.scene)?;
+    let name = || args.input.scene.display().to_string();
+    let input = input::load(&args.input)?;
     let Some(frames) = args.frames.or(input.scene.animation.length()) else {
         bail!(
             "{}: nothing moves; expected [animation] with frames, a turntable or a \

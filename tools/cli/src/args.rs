@@ -3,6 +3,7 @@
 use crate::examples::*;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use fixel_estimate::Board;
 use fixel_scene::{Panel, PanelDithering};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -36,12 +37,24 @@ pub enum Command {
     Completions(Completions),
 }
 
-#[derive(Debug, Args)]
-#[command(after_help = RENDER)]
-pub struct Render {
+/// What a command works on.
+#[derive(Clone, Debug, Args)]
+pub struct Input {
     /// A scene (.toml), a mesh (.obj, .glb, .gltf, .stl, .ply) or a baked
     /// scene (.fxl).
     pub scene: PathBuf,
+    /// A folder whose files the scene may name too, besides those below its own folder, this
+    /// one, and the folder above with a .git; may be given several times. FIXEL_ALLOW has
+    /// such folders, separated as those of PATH.
+    #[arg(long, value_name = "FOLDER", hide_short_help = true)]
+    pub allow: Vec<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = RENDER)]
+pub struct Render {
+    #[command(flatten)]
+    pub input: Input,
     /// The picture [default: the scene's name with .png, in this folder].
     #[arg(short, long, value_name = "FRAME.png")]
     pub output: Option<PathBuf>,
@@ -112,8 +125,8 @@ fn dithering(name: &str) -> Result<PanelDithering, String> {
 #[derive(Debug, Args)]
 #[command(after_help = COMPARE)]
 pub struct Compare {
-    /// A scene, a mesh or a baked scene, as for render.
-    pub scene: PathBuf,
+    #[command(flatten)]
+    pub input: Input,
     #[command(flatten)]
     pub frame: Frame,
     /// What to hold against the reference.
@@ -145,8 +158,8 @@ pub struct Frame {
 #[derive(Debug, Args)]
 #[command(after_help = BAKE)]
 pub struct Bake {
-    /// A scene or a mesh, as for render.
-    pub scene: PathBuf,
+    #[command(flatten)]
+    pub input: Input,
     /// The baked scene.
     #[arg(short, long, value_name = "OUT.fxl")]
     pub output: PathBuf,
@@ -178,8 +191,8 @@ pub struct Info {
 #[derive(Debug, Args)]
 #[command(after_help = ANIMATE)]
 pub struct Animate {
-    /// A scene, a mesh or a baked scene, as for render.
-    pub scene: PathBuf,
+    #[command(flatten)]
+    pub input: Input,
     /// A .gif, an animated .png, or a folder for single pictures
     /// (frame_0000.png and so on).
     #[arg(short, long, value_name = "OUT")]
@@ -202,10 +215,14 @@ pub struct Animate {
 #[derive(Debug, Args)]
 #[command(after_help = VIEW)]
 pub struct View {
-    /// A scene, a mesh or a baked scene, as for render.
-    pub scene: PathBuf,
+    #[command(flatten)]
+    pub input: Input,
     #[command(flatten)]
     pub screen: Screen,
+    /// The board whose instructions and frames a second are reckoned [default: the first]; a
+    /// wrong name lists them.
+    #[arg(long, value_name = "NAME", value_parser = Board::find)]
+    pub board: Option<&'static Board>,
     /// How to render to begin with.
     #[arg(long, value_enum, default_value_t)]
     pub renderer: Renderer,
@@ -232,13 +249,13 @@ pub struct Completions {
 #[derive(Debug, Args)]
 #[command(after_help = ESTIMATE)]
 pub struct Estimate {
-    /// A scene, a mesh or a baked scene, as for render.
-    pub scene: PathBuf,
+    #[command(flatten)]
+    pub input: Input,
     #[command(flatten)]
     pub screen: Screen,
     /// The board; a wrong name lists them.
-    #[arg(long, value_name = "NAME")]
-    pub board: String,
+    #[arg(long, value_name = "NAME", value_parser = Board::find)]
+    pub board: &'static Board,
     /// Rows in a band, at most.
     #[arg(long, value_name = "ROWS", default_value_t = 16,
           value_parser = clap::value_parser!(u32).range(1..))]

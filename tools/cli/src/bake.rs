@@ -11,7 +11,7 @@ pub fn run(args: &args::Bake) -> Result<()> {
         max_triangles: args.max_triangles,
         colours: args.colours,
     };
-    let (baked, reduced) = input::load_on(&args.scene, args.screen.get())?.bake_with(&options)?;
+    let (baked, reduced) = input::load_on(&args.input, args.screen.get())?.bake_with(&options)?;
     for mesh in reduced {
         eprintln!("{mesh}");
     }

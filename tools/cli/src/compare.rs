@@ -26,7 +26,7 @@ pub fn run(args: &args::Compare) -> Result<()> {
         Tested::Raster => "raster",
         Tested::Ray => "ray",
     };
-    let input = input::load(&args.scene)?;
+    let input = input::load(&args.input)?;
     let at = input::options(&input.scene, &args.frame);
     let options = raster::Options {
         rays: args.renderer == Tested::Ray,
@@ -35,7 +35,7 @@ pub fn run(args: &args::Compare) -> Result<()> {
         frame: at.frame,
         bands: args.bands,
     };
-    let name = || args.scene.display().to_string();
+    let name = || args.input.scene.display().to_string();
     let scene = input.scene.clone();
     let truth = match args.renderer {
         Tested::Raster => reference::render(&scene, at),

@@ -1,14 +1,14 @@
 //! `fixel estimate`.
 
 use crate::{args, input, output};
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Context, Result, bail};
 use fixel_estimate::{Board, Estimate, Model};
 use serde_json::{Value, json};
 
 /// Says what a scene takes on a board.
 pub fn run(args: &args::Estimate) -> Result<()> {
-    let board = Board::find(&args.board).map_err(|message| anyhow!(message))?;
-    let input = input::load_on(&args.scene, args.screen.get())?;
+    let board = args.board;
+    let input = input::load_on(&args.input, args.screen.get())?;
     let by_rays = input.refused(
         "is baked for rays, whose instructions are not estimated; expected one for triangles",
     );
@@ -20,7 +20,8 @@ pub fn run(args: &args::Estimate) -> Result<()> {
     let model = Model::fitted().context("the coefficients that are built in")?;
     let bytes = baked.bytes().len() as u64;
     let band_rows = u16::try_from(args.bands.min(2048))?;
-    let asked = (args.frame, band_rows);
+    let pose = scene.pose(args.frame);
+    let asked = (&pose, band_rows);
     let Some(estimate) = Estimate::new(&model, board, &scene, asked, bytes) else {
         bail!("nothing was counted for {}", board.name);
     };
@@ -42,17 +43,13 @@ fn figures(board: &Board, e: &Estimate) -> Value {
         "bus_bytes": e.bus_bytes,
         "scratch_bytes": e.scratch_bytes,
         "stack_bytes": e.stack_bytes,
-        "fits": fits(board, e),
+        "fits": e.fits(board),
         "instructions": e.instructions.round() as u64,
         "cycles_an_instruction": board.cycles.each,
         "drawing_ms": e.drawing_s * 1e3,
         "sending_ms": e.sending_s * 1e3,
         "frames_a_second": e.frames_a_second,
     })
-}
-
-fn fits(board: &Board, e: &Estimate) -> bool {
-    e.flash_bytes() <= board.flash_bytes && e.ram_bytes() <= board.ram_bytes
 }
 
 fn text(board: &Board, e: &Estimate) -> String {

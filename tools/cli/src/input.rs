@@ -1,21 +1,26 @@
 //! The scene that a command works on.
 
-use crate::args::Frame;
-use anyhow::Result;
-use fixel_scene::{Disk, Scene, Screen};
-use std::path::Path;
+use crate::args::{self, Frame};
+use anyhow::{Result, anyhow};
+use fixel_scene::{Fenced, Scene, Screen};
 
 pub use fixel_bake::Input;
 
 /// Loads a scene, a mesh or a baked scene; what the loader has to say goes to
 /// standard error.
-pub fn load(path: &Path) -> Result<Input> {
-    load_on(path, None)
+pub fn load(file: &args::Input) -> Result<Input> {
+    load_on(file, None)
 }
 
 /// The same for a panel, if there is one.
-pub fn load_on(path: &Path, screen: Option<Screen>) -> Result<Input> {
-    let input = Input::load(path, &Disk, screen)?;
+pub fn load_on(file: &args::Input, screen: Option<Screen>) -> Result<Input> {
+    let always = std::env::var_os("FIXEL_ALLOW").unwrap_or_default();
+    let mut allowed: Vec<_> = std::env::split_paths(&always).collect();
+    // What an empty variable splits into.
+    allowed.retain(|folder| !folder.as_os_str().is_empty());
+    allowed.extend_from_slice(&file.allow);
+    let files = Fenced::around(&file.scene, &allowed).map_err(|error| anyhow!(error))?;
+    let input = Input::load(&file.scene, &files, screen)?;
     for note in &input.notes {
         eprintln!("note: {note}");
     }

@@ -25,10 +25,10 @@ struct Picture {
 pub fn run(args: &args::Render) -> Result<()> {
     let picture_path = match &args.output {
         Some(path) => path.clone(),
-        None => default_output(&args.scene),
+        None => default_output(&args.input.scene),
     };
     refuse_same_file(args, &picture_path);
-    let input = input::load_on(&args.scene, args.screen.get())?;
+    let input = input::load_on(&args.input, args.screen.get())?;
     let options = input::options(&input.scene, &args.frame);
     let (width, height) = (options.width, options.height);
     let started = Instant::now();
@@ -157,7 +157,7 @@ fn common_stats(
         Renderer::RayReference => "ray-reference",
     };
     let fields = [
-        ("scene", json!(args.scene.display().to_string())),
+        ("scene", json!(args.input.scene.display().to_string())),
         ("renderer", json!(renderer)),
         ("width", json!(options.width)),
         ("height", json!(options.height)),

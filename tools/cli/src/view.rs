@@ -9,16 +9,18 @@ use std::sync::Arc;
 
 /// Shows a scene in a window.
 pub fn run(args: &args::View) -> Result<()> {
-    let load: Loader = Arc::new(|path: &Path| {
-        let input = input::load(path).map_err(|error| format!("{error:#}"))?;
+    let file = args.input.clone();
+    let load: Loader = Arc::new(move |_: &Path| {
+        let input = input::load(&file).map_err(|error| format!("{error:#}"))?;
         Ok(Arc::new(Source {
             scene: input.scene,
             baked: input.baked,
         }))
     });
     let options = Options {
-        path: args.scene.clone(),
+        path: args.input.scene.clone(),
         screen: args.screen.get(),
+        board: args.board,
         renderer: match args.renderer {
             Renderer::Raster => fixel_view::Renderer::Raster,
             Renderer::Ray => fixel_view::Renderer::Ray,

@@ -53,9 +53,16 @@ fn a_full_disk_is_told_and_leaves_nothing() {
     }
 }
 
-/// Ctrl-C, at any moment: what is there under the final name is the old file or the new.
+/// Ctrl-C, or an end without warning, at any moment: what is there under the final name is
+/// the old file or the new.
 #[test]
 fn an_interrupted_command_leaves_no_half_file() {
+    for signal in [2, 9] {
+        interrupted_by(signal);
+    }
+}
+
+fn interrupted_by(signal: i32) {
     let folder = Folder::new();
     let words = format!("animate {CUBE} --frames 24 -o cube.gif");
     folder.fixel(&words).ok();
@@ -72,14 +79,14 @@ fn an_interrupted_command_leaves_no_half_file() {
         std::thread::sleep(Duration::from_millis(delay));
         // It may be done already.
         let _ = Command::new("kill")
-            .args(["-INT", &child.id().to_string()])
+            .args([format!("-{signal}"), child.id().to_string()])
             .status();
         let status = child.wait().unwrap();
         let found = std::fs::read(folder.path("cube.gif")).unwrap();
         if status.success() {
             assert!(found == whole, "after {delay} ms");
         } else {
-            assert_eq!(status.signal(), Some(2));
+            assert_eq!(status.signal(), Some(signal));
             interrupted += 1;
             assert!(found == whole || found == b"old", "after {delay} ms");
         }

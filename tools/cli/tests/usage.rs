@@ -121,11 +121,10 @@ fn completions_are_for_each_shell() {
 #[test]
 fn a_scene_is_estimated_for_a_board() {
     let folder = Folder::new();
-    let line = folder.fixel("estimate scene.toml --board pico").fails();
-    assert!(
-        line.contains("no board is called pico; there are rp2040-st7789"),
-        "{line}"
-    );
+    let wrong = folder.fixel("estimate scene.toml --board pico");
+    assert_eq!(wrong.code(), 2);
+    let told = "no board is called pico; there are rp2040-st7789";
+    assert!(wrong.stderr().contains(told), "{}", wrong.stderr());
     let text = folder.fixel("estimate scene.toml --board microbit").ok();
     assert!(text.contains("frames a second"), "{text}");
     let figures = folder

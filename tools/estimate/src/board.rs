@@ -1,5 +1,7 @@
 //! Boards: a processor, its memory, and the panel's bus.
 
+use fixel_scene::{ColourFormat, Feed};
+
 /// A board that a scene is estimated for.
 #[derive(Clone, Copy, Debug)]
 pub struct Board {
@@ -201,6 +203,37 @@ pub const BOARDS: [Board; 10] = [
 ];
 
 impl Board {
+    /// The board with another panel, sent to as fast as both can.
+    #[must_use]
+    pub fn showing(&self, panel: &fixel_scene::Panel) -> Self {
+        let panel = match panel.feed {
+            Feed::Memory { .. } => Panel {
+                name: panel.name,
+                ..self.panel
+            },
+            Feed::Serial { hz, settle_ms, .. } => {
+                let bits_a_pixel = match panel.colour {
+                    ColourFormat::Mono => 1,
+                    ColourFormat::Gray4 => 4,
+                    _ => 16,
+                };
+                let hz = f64::from(match self.panel.bits_a_second {
+                    0 => hz,
+                    most => hz.min(most),
+                });
+                // What a row has beside its pixels slows these down.
+                let pixels = f64::from(panel.width * panel.height * bits_a_pixel);
+                Panel {
+                    name: panel.name,
+                    bits_a_pixel,
+                    bits_a_second: (hz * pixels / f64::from(panel.frame_bits())).round() as u32,
+                    refresh_ms: settle_ms,
+                }
+            }
+        };
+        Self { panel, ..*self }
+    }
+
     /// The board of that name; the error names those that there are.
     ///
     /// # Errors
@@ -213,5 +246,24 @@ impl Board {
                 let names: Vec<_> = BOARDS.iter().map(|board| board.name).collect();
                 format!("no board is called {name}; there are {}", names.join(", "))
             })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_slower_of_board_and_panel_sets_the_rate() {
+        let rate = |panel: &str, board: &str| {
+            let panel = fixel_scene::Panel::named(panel).expect("a panel");
+            let board = Board::find(board).expect("a board").showing(panel);
+            board.panel.bits_a_second
+        };
+        assert_eq!(rate("st7789-240x240", "stm32f405"), 42_000_000);
+        assert_eq!(rate("st7735-160x128", "stm32f405"), 15_000_000);
+        // 400 of 416 bits a row are pixels.
+        assert_eq!(rate("sharp-400x240", "stm32f405"), 1_923_077);
+        assert_eq!(rate("gba-240x160", "gba"), 0);
     }
 }

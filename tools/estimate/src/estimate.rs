@@ -3,6 +3,7 @@
 use fixel::Scene;
 use fixel::palette::Rgb565Table;
 use fixel::render::Scratch;
+use fixel::scene::Pose;
 
 use crate::board::Board;
 use crate::frame::{ACTORS, MESHLETS, SLOTS, work};
@@ -39,18 +40,18 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// Of one frame, in bands of at most `band_rows` rows. `None` if nothing was counted for
-    /// the board.
+    /// Of one frame, as `pose` has it, in bands of at most `band_rows` rows. `None` if nothing
+    /// was counted for the board.
     pub fn new(
         model: &Model,
         board: &Board,
         scene: &Scene<'_>,
-        (frame, band_rows): (u32, u16),
+        (pose, band_rows): (&Pose<'_>, u16),
         scene_bytes: u64,
     ) -> Option<Self> {
         let parts = Parts::of(scene);
         let firmware = model.firmware.get(board.target)?.get(&parts)?;
-        let instructions = model.instructions(board.target, &work(scene, frame, band_rows))?;
+        let instructions = model.instructions(board.target, &work(scene, pose, band_rows))?;
         let (columns, rows) = (scene.frame_width(), scene.frame_height());
         let band_rows = band_rows.clamp(1, rows.max(1));
         let band_px = u64::from(columns) * u64::from(band_rows);
@@ -89,6 +90,11 @@ impl Estimate {
             sending_s,
             frames_a_second: 1.0 / seconds,
         })
+    }
+
+    /// Whether flash and RAM of a board hold it.
+    pub fn fits(&self, board: &Board) -> bool {
+        self.flash_bytes() <= board.flash_bytes && self.ram_bytes() <= board.ram_bytes
     }
 
     /// Bytes of flash.

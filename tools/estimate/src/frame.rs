@@ -5,7 +5,7 @@ use std::cell::RefCell;
 
 use fixel::frame::BandRows;
 use fixel::render::{Bands, Direct, FrameStats, Paint, Scratch, Shaded};
-use fixel::scene::{Projection, Representation};
+use fixel::scene::{Pose, Projection, Representation};
 use fixel::{Band, Scene};
 
 use crate::counting::{Counter, Counting};
@@ -18,20 +18,20 @@ pub(crate) const SLOTS: usize = 10;
 /// Actors whose matrices it keeps.
 pub(crate) const ACTORS: usize = 4;
 
-/// The work of a frame of a scene, drawn by triangles as large as the scene says in bands
+/// The work of a frame of a scene, as `pose` has it, drawn by triangles as large as the scene says in bands
 /// of at most so many rows.
-pub fn work(scene: &Scene<'_>, frame: u32, band_rows: u16) -> Work {
+pub fn work(scene: &Scene<'_>, pose: &Pose<'_>, band_rows: u16) -> Work {
     let paint = Shaded {
         dither: scene.dither(),
     };
     match Direct::new(scene, scene.dither()) {
-        Some(direct) => draw(&direct, scene, frame, band_rows, |counter, rows| {
+        Some(direct) => draw(&direct, scene, pose, band_rows, |counter, rows| {
             counter.add(Term::DirectPx, rows.indices.len() as f64);
         }),
         None => {
             let mut before = None;
             let resolved = scene.output().is_resolved();
-            draw(&paint, scene, frame, band_rows, |work, rows| {
+            draw(&paint, scene, pose, band_rows, |work, rows| {
                 if resolved {
                     work.add(Term::SamplePx, rows.indices.len() as f64);
                     return;
@@ -54,7 +54,7 @@ pub fn work(scene: &Scene<'_>, frame: u32, band_rows: u16) -> Work {
 fn draw<P: Paint>(
     paint: &P,
     scene: &Scene<'_>,
-    frame: u32,
+    pose: &Pose<'_>,
     band_rows: u16,
     mut finished: impl FnMut(&mut Work, BandRows<'_, P::Stored>),
 ) -> Work
@@ -62,8 +62,7 @@ where
     P::Stored: Default,
 {
     let (width, height) = (scene.frame_width(), scene.frame_height());
-    let pose = scene.pose(frame);
-    let first = scene.place_viewport(0, &pose, width, height);
+    let first = scene.place_viewport(0, pose, width, height);
     let perspective = matches!(first.camera.projection, Projection::Perspective { .. });
     let counter = RefCell::new(Counter::new(scene, perspective));
     let counting = Counting {
@@ -79,7 +78,7 @@ where
     let Ok(mut band) = Band::new(width, &mut indices, &mut depths) else {
         return Work::default();
     };
-    let mut bands = Bands::with(counting, scene, &pose, &mut work, &mut band, 0..height);
+    let mut bands = Bands::with(counting, scene, pose, &mut work, &mut band, 0..height);
     let mut shown = Work::default();
     while let Some(rows) = bands.next() {
         finished(&mut shown, rows);
@@ -101,7 +100,7 @@ where
     work.add(Term::ViewportInBand, viewports * f64::from(stats.bands));
     let mut cleared = 0.0;
     for number in 0..scene.viewport_count() {
-        let rect = scene.place_viewport(number, &pose, width, height).rect;
+        let rect = scene.place_viewport(number, pose, width, height).rect;
         cleared += f64::from(rect.width()) * f64::from(rect.height());
     }
     if !scene.is_filled(width) {

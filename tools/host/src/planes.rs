@@ -39,6 +39,13 @@ impl Options {
             camera: None,
         }
     }
+
+    /// The scene in the frame, seen from where these say.
+    pub fn pose<'s>(&self, scene: &Scene<'s>) -> Pose<'s> {
+        let pose = scene.pose(self.frame);
+        let camera = self.camera.unwrap_or(pose.camera);
+        Pose { camera, ..pose }
+    }
 }
 
 /// A whole frame, as large as the picture or, with several samples or two eyes to a
@@ -162,7 +169,7 @@ pub fn pick(scene: &Scene<'_>, options: &Options, x: u16, y: u16) -> Option<Pick
     let (width, height) = output.frame_size((options.width, options.height));
     let (mut indices, mut depths) = (vec![0; width.into()], vec![0; width.into()]);
     let mut scratch = Box::new(HostScratch::new());
-    let mut pose = posed(scene, options);
+    let mut pose = options.pose(scene);
     pose.height = height;
     let mut band = Band::new(width, &mut indices, &mut depths).ok()?;
     let [across, down] = output.samples.map(u16::from);
@@ -179,13 +186,6 @@ fn paint<P: Paint<Stored = u8>>(paint: &P, scene: &Scene<'_>, options: &Options)
     })
 }
 
-/// The scene in the frame, seen from where the options say.
-fn posed<'s>(scene: &Scene<'s>, options: &Options) -> Pose<'s> {
-    let pose = scene.pose(options.frame);
-    let camera = options.camera.unwrap_or(pose.camera);
-    Pose { camera, ..pose }
-}
-
 /// The planes of a frame that `draw` draws in bands.
 pub(crate) fn collected<'s>(
     scene: &Scene<'s>,
@@ -196,7 +196,7 @@ pub(crate) fn collected<'s>(
     let rows = options.band_rows.unwrap_or(height).clamp(1, height.max(1));
     let pixels = usize::from(width.max(1)) * usize::from(rows);
     let (mut indices, mut depths) = (vec![0; pixels], vec![0; pixels]);
-    let mut pose = posed(scene, options);
+    let mut pose = options.pose(scene);
     pose.height = height;
     let mut collector = Collector(Planes {
         index: Vec::new(),

@@ -28,7 +28,11 @@ impl Files for Disk {
             std::io::ErrorKind::NotFound => "does not exist".to_owned(),
             _ => format!("cannot be read: {error}"),
         };
-        let bytes = std::fs::metadata(path).map_err(cannot)?.len();
+        let about = std::fs::metadata(path).map_err(cannot)?;
+        if !about.is_file() {
+            return Err("is no file".to_owned());
+        }
+        let bytes = about.len();
         if bytes > MAX_BYTES {
             return Err(format!("has {bytes} bytes; expected at most {MAX_BYTES}"));
         }

@@ -5,6 +5,7 @@
 mod bare;
 mod description;
 mod error;
+mod fence;
 mod file;
 mod files;
 mod framing;
@@ -21,6 +22,7 @@ use std::path::Path;
 
 pub use description::*;
 pub use error::Error;
+pub use fence::Fenced;
 pub use files::{Disk, Files, InMemory};
 pub use loader::Loader;
 pub use look::*;

@@ -1,8 +1,8 @@
 //! Boards that panels hang on: those that there are estimates for, whatever panel these
 //! name.
 
-use fixel_estimate::{BOARDS, Board, Estimate, Model, Panel as Sent};
-use fixel_scene::{ColourFormat, Feed, Panel};
+use fixel_estimate::{BOARDS, Board, Estimate, Model};
+use fixel_scene::Panel;
 use serde_json::{Value, json};
 
 /// Name of an estimate's board, what people call it, and its processor.
@@ -50,14 +50,12 @@ pub(crate) fn estimate(
     scene_bytes: usize,
     panel: &Panel,
     name: &str,
-    asked: (u32, u16),
+    (number, band_rows): (u32, u16),
 ) -> Result<Value, String> {
-    let own = Board::find(name)?;
-    let board = Board {
-        panel: sent(panel, own),
-        ..*own
-    };
+    let board = Board::find(name)?.showing(panel);
     let model = Model::fitted().map_err(|error| error.to_string())?;
+    let pose = scene.pose(number);
+    let asked = (&pose, band_rows);
     let estimate = Estimate::new(&model, &board, scene, asked, scene_bytes as u64);
     let Some(e) = estimate.filter(|_| !scene.has_rays()) else {
         return Ok(Value::Null);
@@ -76,35 +74,6 @@ pub(crate) fn estimate(
     }))
 }
 
-/// How a board sends to a panel: as fast as both can.
-fn sent(panel: &Panel, board: &Board) -> Sent {
-    let bits_a_pixel = match panel.colour {
-        ColourFormat::Mono => 1,
-        ColourFormat::Gray4 => 4,
-        _ => 16,
-    };
-    match panel.feed {
-        Feed::Memory { .. } => Sent {
-            name: panel.name,
-            ..board.panel
-        },
-        Feed::Serial { hz, settle_ms, .. } => {
-            let hz = f64::from(match board.panel.bits_a_second {
-                0 => hz,
-                most => hz.min(most),
-            });
-            // What a row has beside its pixels slows these down.
-            let pixels = f64::from(panel.width * panel.height * bits_a_pixel);
-            Sent {
-                name: panel.name,
-                bits_a_pixel,
-                bits_a_second: (hz * pixels / f64::from(panel.frame_bits())).round() as u32,
-                refresh_ms: settle_ms,
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -112,18 +81,5 @@ mod tests {
     #[test]
     fn all_that_is_offered_is_there() {
         assert_eq!(boards().len(), OFFERED.len());
-    }
-
-    #[test]
-    fn the_slower_of_board_and_panel_sets_the_rate() {
-        let rate = |panel: &str, board: &str| {
-            let panel = Panel::named(panel).unwrap();
-            sent(panel, Board::find(board).unwrap()).bits_a_second
-        };
-        assert_eq!(rate("st7789-240x240", "stm32f405"), 42_000_000);
-        assert_eq!(rate("st7735-160x128", "stm32f405"), 15_000_000);
-        // 400 of 416 bits a row are pixels.
-        assert_eq!(rate("sharp-400x240", "stm32f405"), 1_923_077);
-        assert_eq!(rate("gba-240x160", GBA), 0);
     }
 }

@@ -5,11 +5,13 @@ use std::time::{Duration, Instant};
 
 use fixel::render::Ids;
 use fixel_bake::{BakeError, Baked, camera_in};
+use fixel_estimate::{Estimate, Model};
 use fixel_host::{Options, Planes};
 use fixel_reference::Truth;
 use fixel_scene::{Scene, Stereo};
 
 use crate::false_colour;
+use crate::state::BAND_ROWS;
 use crate::variant::{Job, Renderer, Show, Variant};
 
 /// What was drawn.
@@ -109,7 +111,9 @@ impl Drawer {
         let started = Instant::now();
         let planes = fixel_host::render(&core, &options);
         let taken = started.elapsed();
-        let mut figures = raster_figures(&core, &planes, baked.bytes().len(), taken);
+        let bytes = baked.bytes().len();
+        let mut figures = raster_figures(&core, &planes, bytes, taken);
+        figures.extend(estimate(job, &core, &options, bytes));
         let shown = |rgb: Vec<[u8; 3]>| first_samples(&core, &planes, &rgb);
         let covered = |i: usize| planes.depth.get(i).is_some_and(|depth| *depth != 0);
         let rgb = match job.show {
@@ -330,6 +334,23 @@ fn raster_figures(
         ),
         drawn_here(taken),
     ]
+}
+
+/// What the frame takes on the chosen board.
+fn estimate(job: &Job, core: &fixel::Scene<'_>, options: &Options, bytes: usize) -> Option<String> {
+    let model = Model::fitted().ok()?;
+    let pose = options.pose(core);
+    let asked = (&pose, BAND_ROWS as u16);
+    let board = job.board();
+    let e = Estimate::new(&model, &board, core, asked, bytes as u64)?;
+    Some(format!(
+        "{}: about {:.2} M instructions, {:.1} frames/s, {} KB of RAM{}",
+        board.name,
+        e.instructions / 1e6,
+        e.frames_a_second,
+        e.ram_bytes().div_ceil(1024),
+        if e.fits(&board) { "" } else { ": does not fit" },
+    ))
 }
 
 fn drawn_here(taken: Duration) -> String {

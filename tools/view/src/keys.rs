@@ -19,6 +19,8 @@ pub enum Action {
     Renderer,
     /// The next panel, or the one before.
     Panel(i32),
+    /// The next board that is reckoned with, or the one before.
+    Board(i32),
     /// The next way to dither on a grey panel.
     Dither,
     /// Something else instead of the picture, or the picture again.
@@ -71,7 +73,7 @@ pub struct Row {
 }
 
 /// For the page of help, in two columns.
-pub const HELP: [Row; 26] = {
+pub const HELP: [Row; 27] = {
     const fn row(keys: &'static str, what: &'static str) -> Row {
         Row { keys, what }
     }
@@ -90,6 +92,7 @@ pub const HELP: [Row; 26] = {
         row("3", "stereo: red and cyan"),
         row("v", "raster, ray, reference"),
         row("n  N", "next panel, one before"),
+        row("k  K", "next board, one before"),
         row("t", "dithering of a grey panel"),
         row("d", "depth"),
         row("i", "ids: actors"),
@@ -132,6 +135,8 @@ pub fn action(key: Key, shift: bool) -> Option<Action> {
         Key::Char('v') => Action::Renderer,
         Key::Char('n') => Action::Panel(1),
         Key::Char('N') => Action::Panel(-1),
+        Key::Char('k') => Action::Board(1),
+        Key::Char('K') => Action::Board(-1),
         Key::Char('t') => Action::Dither,
         Key::Char('d') => Action::Show(Show::Depth),
         Key::Char('i') => Action::Show(Show::Actors),
@@ -187,7 +192,7 @@ mod tests {
                 named_keys += 1;
             }
         }
-        assert_eq!(named_keys, 28);
+        assert_eq!(named_keys, 30);
         assert_eq!(action(Key::Char('y'), false), None);
         assert_eq!(action(Key::Left, true), Some(Action::Pan([-1.0, 0.0])));
         assert_eq!(named("Left"), Some(Key::Left));

@@ -30,6 +30,7 @@ pub use variant::Renderer;
 
 use std::path::PathBuf;
 
+use fixel_estimate::Board;
 use fixel_scene::Screen;
 
 /// How to begin.
@@ -39,6 +40,8 @@ pub struct Options {
     pub path: PathBuf,
     /// The panel; none: the scene's own display.
     pub screen: Option<Screen>,
+    /// The board that is reckoned with; none: the first of them.
+    pub board: Option<&'static Board>,
     /// How to render.
     pub renderer: Renderer,
     /// Screen pixels that a panel pixel takes; none: as many as fit.
@@ -59,6 +62,9 @@ pub fn run(options: Options, load: Loader) -> Result<(), String> {
     let mut state = state::State::new(source);
     if let Some(screen) = options.screen {
         state.choose_screen(screen);
+    }
+    if let Some(board) = options.board {
+        state.choose_board(board);
     }
     state.choose_renderer(options.renderer);
     let steps = match &options.script {

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use fixel_estimate::{BOARDS, Board};
 use fixel_reference::camera_at;
 use fixel_scene::{
     Camera, DITHERINGS, Display, PANELS, PanelDithering, Reach, Representation, Scene, Screen,
@@ -80,6 +81,7 @@ pub struct State {
     frame: u32,
     renderer: Renderer,
     show: Show,
+    board: &'static Board,
     playing: bool,
     /// Seconds since the frame changed.
     since_frame: f64,
@@ -103,6 +105,7 @@ impl State {
             frame: 0,
             renderer: Renderer::default(),
             show: Show::default(),
+            board: &BOARDS[0],
             playing: true,
             since_frame: 0.0,
             since_band: None,
@@ -125,6 +128,11 @@ impl State {
         self.renderer = renderer;
     }
 
+    /// Begins with a board.
+    pub fn choose_board(&mut self, board: &'static Board) {
+        self.board = board;
+    }
+
     /// Begins standing still.
     pub fn pause(&mut self) {
         self.playing = false;
@@ -139,6 +147,7 @@ impl State {
             frame: self.frame,
             renderer: self.renderer,
             show: self.show,
+            board: self.board,
         }
     }
 
@@ -259,6 +268,7 @@ impl State {
             Action::Zoom(factor) => self.zoom(factor),
             Action::Renderer => self.renderer = after(&Renderer::ALL, self.renderer),
             Action::Panel(by) => self.next_panel(by),
+            Action::Board(by) => self.next_board(by),
             Action::Dither => self.next_dithering(),
             Action::Show(what) => {
                 let again = self.show == what;
@@ -349,6 +359,15 @@ impl State {
         let next = (now + by).rem_euclid(count);
         self.variant.panel = usize::try_from(next - 1).ok();
         self.variant.dithering = None;
+    }
+
+    fn next_board(&mut self, by: i32) {
+        let now = BOARDS
+            .iter()
+            .position(|board| board.name == self.board.name);
+        let next = (now.unwrap_or(0) as i32 + by).rem_euclid(BOARDS.len() as i32);
+        self.board = &BOARDS[next as usize];
+        self.note = Some(format!("{}: {}", self.board.name, self.board.what));
     }
 
     fn next_dithering(&mut self) {

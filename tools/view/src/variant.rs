@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use fixel_estimate::Board;
 use fixel_scene::{
     Camera, Display, Element, PANELS, PanelDithering, Representation, Scene, Screen, Stereo, Target,
 };
@@ -141,16 +142,28 @@ pub struct Job {
     pub renderer: Renderer,
     /// What.
     pub show: Show,
+    /// The board that is reckoned with.
+    pub board: &'static Board,
 }
 
 impl PartialEq for Job {
     fn eq(&self, other: &Self) -> bool {
         let rest = |job: &Self| (job.variant, job.camera, job.frame, job.renderer, job.show);
-        Arc::ptr_eq(&self.source, &other.source) && rest(self) == rest(other)
+        Arc::ptr_eq(&self.source, &other.source)
+            && rest(self) == rest(other)
+            && self.board.name == other.board.name
     }
 }
 
 impl Job {
+    /// The board with the panel that is shown; with its own where the scene's display is.
+    pub fn board(&self) -> Board {
+        match self.variant.panel.and_then(|panel| PANELS.get(panel)) {
+            Some(panel) => self.board.showing(panel),
+            None => *self.board,
+        }
+    }
+
     /// The description of what is to be rendered; its camera stands still if somebody moved
     /// it.
     pub fn scene(&self) -> Scene {

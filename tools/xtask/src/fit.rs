@@ -176,7 +176,7 @@ fn add(
             variant,
             frame,
             band_rows,
-            work: fixel_estimate::work(&parsed, frame, band_rows),
+            work: fixel_estimate::work(&parsed, &parsed.pose(frame), band_rows),
             baked: baked.clone(),
         });
     }

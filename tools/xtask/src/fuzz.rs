@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use crate::problem::{Problem, Result};
 use crate::report::{self, Tally};
-use crate::{child, debian, paths, scene};
+use crate::{child, debian, parallel, paths, scene};
 
 /// The fuzzers: name, longest input in bytes.
 const FUZZERS: [(&str, u32); 6] = [
@@ -43,12 +43,14 @@ pub fn names() -> Vec<&'static str> {
 /// nothing is a check; what is found stays in `fuzz/artifacts`.
 pub fn run(tally: &mut Tally, only: &[String], seconds: u32) -> Result<Value> {
     build()?;
+    let named = |name: &str| only.is_empty() || only.iter().any(|wanted| wanted == name);
+    let chosen: Vec<_> = FUZZERS
+        .into_iter()
+        .filter(|(name, _)| named(name))
+        .collect();
+    let results = parallel::map(&chosen, |(name, longest)| fuzz(name, *longest, seconds));
     let mut figures = serde_json::Map::new();
-    for (name, longest) in FUZZERS {
-        if !only.is_empty() && !only.iter().any(|wanted| wanted == name) {
-            continue;
-        }
-        let result = fuzz(name, longest, seconds);
+    for ((name, _), result) in chosen.into_iter().zip(results) {
         if let Some(figure) = tally.check(&format!("fuzzer {name}, {seconds} s"), result) {
             figures.insert(name.to_owned(), figure);
         }

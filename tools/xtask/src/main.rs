@@ -48,6 +48,7 @@ mod scaling_levels;
 mod scene;
 mod screen;
 mod soak;
+mod supply;
 mod template;
 mod test;
 mod toolchain;

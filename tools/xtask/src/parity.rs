@@ -9,6 +9,8 @@ use crate::{parallel, scene};
 
 /// Frames that are compared: enough of a turn to see every side.
 const FRAMES: std::ops::Range<u32> = 0..12;
+/// The same on an emulated board.
+const BOARD_FRAMES: std::ops::Range<u32> = 0..6;
 /// The same by rays, which take long.
 const RAY_FRAMES: std::ops::Range<u32> = 0..1;
 /// The same in bands of other heights on an emulated board. That bands do not
@@ -26,7 +28,7 @@ fn frames(scene: &str, target: Target, rows: u32) -> std::ops::Range<u32> {
     }
     match target {
         Target::Host(_) => FRAMES,
-        Target::Board(board) if board.scenes.is_none() && rows == BANDS[0] => FRAMES,
+        Target::Board(board) if board.scenes.is_none() && rows == BANDS[0] => BOARD_FRAMES,
         Target::Board(_) => FEW_FRAMES,
     }
 }

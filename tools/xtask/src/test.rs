@@ -9,17 +9,19 @@ use crate::measure::Target;
 use crate::problem::Result;
 use crate::report::Tally;
 use crate::{
-    accepted, accuracy, child, examples, firmware, footprint, gallery, gba, hostbench, links,
-    package, panels, parity, paths, picture, pictures, scene, soak, template, toolchain, view, web,
+    accepted, accuracy, child, examples, firmware, footprint, fuzz, gallery, gba, hostbench, links,
+    package, panels, parity, paths, picture, pictures, scene, soak, supply, template, toolchain,
+    view, web,
 };
 
 /// A stage: its name, and what it does.
 type Stage = (&'static str, fn(&mut Tally));
 
 /// In this order: what is quick and fails often comes first.
-const STAGES: [Stage; 15] = [
+const STAGES: [Stage; 17] = [
     ("format", format),
     ("lints", lints),
+    ("supply", supply::run),
     ("tests", tests),
     ("view", view::run),
     ("docs", docs),
@@ -37,6 +39,12 @@ const STAGES: [Stage; 15] = [
     ("accuracy", |tally| {
         let result = accuracy::run(tally, None);
         tally.need("accuracy", result);
+    }),
+    ("fuzz", |tally| {
+        let result = fuzz::run(tally, &[], 60);
+        if let Some(figures) = tally.need("fuzz", result) {
+            eprintln!("{}", fuzz::markdown(&figures));
+        }
     }),
     ("soak", |tally| {
         let result = soak::run(tally, 20_000, 500);

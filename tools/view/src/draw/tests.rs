@@ -1,4 +1,5 @@
 use super::*;
+use crate::keys::Key;
 use crate::source::Source;
 use crate::state::{Button, Event, State};
 
@@ -41,6 +42,27 @@ fn a_picture_is_what_the_panel_shows() {
         "{:?}",
         picture.figures
     );
+}
+
+/// What is reckoned for a board follows the eye, and the panel that is shown.
+#[test]
+fn a_frame_is_reckoned_for_the_chosen_board() {
+    let reckoned = |state: &State| draw(&state.job()).figures.pop().expect("a figure");
+    let mut state = State::new(source("teapot"));
+    let far = reckoned(&state);
+    assert!(far.starts_with("rp2040-st7789: about "), "{far}");
+    state.handle(Event::Wheel(2.0));
+    let near = reckoned(&state);
+    assert_ne!(near, far);
+    state.handle(Event::Key(Key::Char('K'), false));
+    let other = reckoned(&state);
+    assert!(other.starts_with("gba: about "), "{other}");
+    let small = fixel_scene::Panel::named("ssd1306-128x64").expect("a panel");
+    state.choose_screen(fixel_scene::Screen {
+        panel: *small,
+        dithering: None,
+    });
+    assert_ne!(reckoned(&state), other);
 }
 
 /// A camera that is moved by hand shows in all renderers the same.
