@@ -149,6 +149,7 @@ impl Described {
         none(unused, "not used")
     }
 
+    /// What ours depend on from elsewhere.
     fn direct(&self) -> impl Iterator<Item = String> {
         let own = self.packages.iter().filter(|package| package.own);
         own.flat_map(|package| &package.dependencies)
@@ -162,8 +163,13 @@ impl Package {
         let manifest = PathBuf::from(text(&value["manifest_path"]).unwrap_or_default());
         let all = value["dependencies"].as_array().into_iter().flatten();
         let elsewhere = all.filter(|dependency| dependency["path"].is_null());
+        // As `cargo machete` has it: what is there for its features or a linker script.
+        let ignored = value["metadata"]["cargo-machete"]["ignored"].as_array();
         let dependencies = elsewhere.filter_map(|dependency| {
             let name = text(&dependency["name"])?;
+            if ignored.is_some_and(|all| all.contains(&dependency["name"])) {
+                return None;
+            }
             let in_code = text(&dependency["rename"]).unwrap_or_else(|| name.clone());
             Some((name, in_code.replace('-', "_")))
         });
