@@ -36,7 +36,7 @@ fn estimates_are_near_counts_that_nothing_was_fitted_to() {
             let key = (count.frame, count.band_rows);
             let work = works
                 .entry(key)
-                .or_insert_with(|| fixel_estimate::work(&scene, key.0, key.1));
+                .or_insert_with(|| fixel_estimate::work(&scene, &scene.pose(key.0), key.1));
             let estimate = model.instructions(&count.target, work).unwrap();
             let off = 100.0 * (estimate / count.instructions as f64 - 1.0);
             if off.abs() > MOST_PERCENT {
@@ -56,9 +56,10 @@ fn every_board_can_be_estimated() {
     let model = Model::fitted().unwrap();
     let baked = baked("w1_teapot_flat");
     let scene = baked.scene().unwrap();
+    let pose = scene.pose(0);
     for board in &BOARDS {
         let bytes = baked.bytes().len() as u64;
-        let estimate = Estimate::new(&model, board, &scene, (0, 16), bytes).unwrap();
+        let estimate = Estimate::new(&model, board, &scene, (&pose, 16), bytes).unwrap();
         assert_eq!(estimate.parts, Parts::Flat, "{}", board.name);
         assert!(estimate.frames_a_second > 0.5, "{}", board.name);
         assert!(estimate.flash_bytes() > bytes && estimate.ram_bytes() > 10_000);

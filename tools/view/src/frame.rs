@@ -19,7 +19,7 @@ const BEAM: Colour = 0x00FF_C400;
 const BEZEL_WIDTH: u32 = 10;
 const MARGIN: u32 = 14;
 /// Lines of figures at most, a line of words among them.
-const FIGURES: u32 = 5;
+const FIGURES: u32 = 6;
 
 /// Where the panel is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
