@@ -152,16 +152,28 @@ impl<'a, C: Stored> Target<'a, C> {
     /// Empties the rows: depth 0, and in row `y` what `background` gives for it.
     pub fn clear(&mut self, mut background: impl FnMut(u16) -> C) {
         let (width, stride) = (usize::from(self.width), usize::from(self.stride).max(1));
-        let rows = self.indices.chunks_mut(stride);
-        for (y, row) in (self.top..self.end).zip(rows) {
-            let index = background(y);
+        let whole = width == stride;
+        let mut backgrounds = (self.top..self.end).map(&mut background).peekable();
+        let mut below = &mut *self.indices;
+        while let Some(index) = backgrounds.next() {
+            let mut pixels = width;
+            // Rows that look alike at once, if nothing lies between them.
+            while whole
+                && backgrounds
+                    .next_if(|next| next.word() == index.word())
+                    .is_some()
+            {
+                pixels += stride;
+            }
+            let (rows, rest) = below.split_at_mut(pixels.max(stride).min(below.len()));
             fill(
-                row.get_mut(..width).unwrap_or_default(),
+                rows.get_mut(..pixels).unwrap_or_default(),
                 index,
                 index.word(),
             );
+            below = rest;
         }
-        if width == stride {
+        if whole {
             fill(self.depths, 0, 0);
             return;
         }

@@ -7,4 +7,5 @@ mod fill;
 mod stored;
 
 pub use band::{Band, BandError, BandRows, Target};
+pub(crate) use fill::fill;
 pub use stored::Stored;

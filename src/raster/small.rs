@@ -241,7 +241,7 @@ impl Small {
     #[inline(never)]
     fn draw_gouraud(&self, target: &mut Target<'_>, shades: &[u8; 256]) {
         self.draw(target, |span, z, dz, level, dl| {
-            span::gouraud::<true>(span.indices, span.depths, (z, dz), (level, dl), shades);
+            span::gouraud(span.indices, span.depths, (z, dz), (level, dl), shades);
         });
     }
 

@@ -248,7 +248,7 @@ fn fill_gouraud(target: &mut Target<'_>, shape: &Shape<'_>, shades: &[u8; 256]) 
             let columns = columns(&span);
             let z = (at.z.at(columns), at.z.gradient.x);
             let level = (at.level.at(columns), at.level.gradient.x);
-            span::gouraud::<false>(span.indices, span.depths, z, level, shades);
+            span::long_gouraud(span.indices, span.depths, z, level, shades);
         },
         |span| sliver::span(span, shape, Fill::Gouraud(shades)),
     );

@@ -3,7 +3,7 @@
 
 use super::texture::{Copied, PLACE_BITS, Places, Sampler};
 use crate::math::Depth;
-use crate::raster::{RUN_FRACTION, Run};
+use crate::raster::{RUN_FRACTION, Run, put_nearer};
 use crate::scene::{NO_TEXEL, Wrap};
 
 /// A run's way through one copy of a texture, in the same period at both ends.
@@ -155,7 +155,8 @@ impl Strip<'_> {
         let (indices, depths) = (run.indices, run.depths);
         let mut seen = 0;
         if !self.cut_out {
-            seen = nearer(depths, run.depth);
+            let (z, dz) = run.depth;
+            seen = put_nearer(depths, z, dz);
             let Some((indices, rest)) = indices.split_at_mut_checked(seen) else {
                 return;
             };
@@ -170,41 +171,6 @@ impl Strip<'_> {
             draw(indices, depths, &cursor.after(seen), shade);
         }
     }
-}
-
-/// Puts a run's depths in place, by fours as long as all four are nearer than what stands
-/// there; gives how many.
-#[inline(never)]
-fn nearer(depths: &mut [Depth], (mut z, dz): (u32, i32)) -> usize {
-    let count = depths.len();
-    let (fours, rest) = depths.as_chunks_mut::<4>();
-    for (four, number) in fours.iter_mut().zip(0..) {
-        let b = z.wrapping_add_signed(dz);
-        let c = b.wrapping_add_signed(dz);
-        let d = c.wrapping_add_signed(dz);
-        let new = [z, b, c, d].map(|z| (z >> 16) as Depth);
-        let [a, b, c, e] = *four;
-        let [na, nb, nc, nd] = new;
-        if na <= a || nb <= b || nc <= c || nd <= e {
-            return 4 * number;
-        }
-        *four = new;
-        z = d.wrapping_add_signed(dz);
-        keep_rolled();
-    }
-    let first = z;
-    for depth in &*rest {
-        if (z >> 16) as Depth <= *depth {
-            return count - rest.len();
-        }
-        z = z.wrapping_add_signed(dz);
-    }
-    z = first;
-    for depth in rest {
-        *depth = (z >> 16) as Depth;
-        z = z.wrapping_add_signed(dz);
-    }
-    count
 }
 
 /// Keeps the compiler from unrolling a loop.
