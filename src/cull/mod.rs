@@ -1,9 +1,13 @@
 //! Which meshlets can be seen, decided from their bounds alone. In: a meshlet's
 //! record and its [`ActorView`]. Out: [`Visible`]: the
-//! screen rows it may touch and how near it is. Used by `render`.
+//! screen rows it may touch and how near it is. And which groups of its triangles are seen from
+//! behind: [`Sight`]. Used by `render`.
 
 mod cone;
+mod faces;
 mod sphere;
+
+pub use faces::Sight;
 
 use crate::scene::{Cull, Meshlet};
 use crate::view::{ActorView, MeshletRows};

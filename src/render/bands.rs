@@ -102,7 +102,7 @@ impl<'a, 'b, P: Paint> Bands<'a, 'b, P> {
 
     /// What was done up to now.
     pub fn stats(&self) -> FrameStats {
-        self.stats
+        self.stats.summed()
     }
 
     /// Draws the next band; `None` after the last.

@@ -2,6 +2,7 @@
 
 use core::ops::Range;
 
+use super::facing::leave_out_backs;
 use super::lines::{self, Pass, draw_hidden, draw_look};
 use super::meshlet_cache::{Held, MeshletCache};
 use super::paint::{Ids, Paint};
@@ -14,7 +15,7 @@ use crate::frame::{Stored, Target};
 use crate::math::{HALF_PX, Rect, SUBPX_BITS, SubPx};
 use crate::raster::{Drawn, How, Sides, draw_triangle};
 use crate::scene::{Cull, Meshlet, Scene, Shading};
-use crate::vertex::{TransformedMeshlet, transform_meshlet};
+use crate::vertex::{TransformedMeshlet, Used, transform_meshlet};
 use crate::view::{ActorView, round_level};
 
 /// Where a meshlet is drawn.
@@ -49,14 +50,21 @@ pub(super) fn draw_meshlet<P: Paint>(
         return;
     };
     let key = (entry.actor, entry.cache_key());
-    let held = cache.get(key, entry.end_row, |out| {
+    let held = cache.get(key, entry.end_row, |out, done| {
+        // Lines and points are drawn whatever the side, and more than lies between vertices.
+        let surface = lines::look(scene, entry.actor).is_none();
+        let used = if surface {
+            leave_out_backs(scene, view, (entry.meshlet(), &meshlet), done, stats)
+        } else {
+            Used::ALL
+        };
+        let vertices = used.count(meshlet.vertices);
         stats.meshlets_transformed += 1;
-        stats.vertices += u32::from(meshlet.vertices);
-        paint.transformed(entry.actor, meshlet.vertices);
-        let rows = transform_meshlet(scene, view, &meshlet, out);
-        // Of lines and points more is drawn than lies between their vertices.
+        stats.vertices += u32::from(vertices);
+        paint.transformed(entry.actor, vertices);
+        let rows = transform_meshlet(scene, view, &meshlet, &used, out);
         let inside = rows.is_some();
-        if let (Some(rows), true) = (rows, lines::look(scene, entry.actor).is_none()) {
+        if let (Some(rows), true) = (rows, surface) {
             entry.narrow(rows, rect);
         }
         (entry.end_row, inside)

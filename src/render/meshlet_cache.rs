@@ -61,21 +61,21 @@ impl<'a> MeshletCache<'a> {
 
     /// The meshlet's vertices, from a slot or through `transform`, and its triangles. `until` is
     /// one past its last row, at most; `transform` gives what that really is, and whether no
-    /// vertex has to be clipped.
+    /// vertex has to be clipped, and may say that triangles have no pixels.
     pub(super) fn get(
         &mut self,
         key: (u16, u32),
         until: u16,
-        transform: impl FnOnce(&mut TransformedMeshlet) -> (u16, bool),
+        transform: impl FnOnce(&mut TransformedMeshlet, &mut Done) -> (u16, bool),
     ) -> Option<Held<'_>> {
         let held = self.slots.iter().position(|slot| slot.key == Some(key));
         let which = held.unwrap_or_else(|| self.choose(until));
         let slot = self.slots.get_mut(which)?;
         if held.is_none() {
-            let (end, inside) = transform(&mut slot.vertices);
+            slot.done = Done::NONE;
+            let (end, inside) = transform(&mut slot.vertices, &mut slot.done);
             (slot.until, slot.inside) = (end.min(until), inside);
             slot.key = Some(key);
-            slot.done = Done::NONE;
         }
         if slot.until <= self.band_end {
             // Not needed again: free for the next one.

@@ -8,6 +8,7 @@ mod bands;
 mod corner_source;
 mod direct;
 mod draw;
+mod facing;
 mod frame;
 mod lines;
 mod meshlet_cache;

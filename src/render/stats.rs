@@ -24,6 +24,9 @@ pub struct FrameStats {
     pub triangles: u32,
     /// Triangles that are not in the band's rows or cover no pixel centre.
     pub triangles_missed: u32,
+    /// Triangles left out by eights because they show only backs, before their vertices are
+    /// transformed: not among those looked at.
+    pub triangles_behind: u32,
     /// Triangles left out because of the side they show.
     pub triangles_away: u32,
     /// Triangles left out because they are beyond a plane.
@@ -39,6 +42,19 @@ pub struct FrameStats {
 }
 
 impl FrameStats {
+    /// With all triangles looked at. Most are not counted by themselves, since something becomes
+    /// of each: what `triangles` holds until then is how many there are more than that.
+    pub(super) fn summed(self) -> Self {
+        let became = self.triangles_missed
+            + self.triangles_away
+            + self.triangles_outside
+            + self.triangles_drawn;
+        Self {
+            triangles: self.triangles.wrapping_add(became),
+            ..self
+        }
+    }
+
     /// Counts what became of a triangle.
     pub(super) fn count(&mut self, how: How) {
         match how {

@@ -4,7 +4,7 @@ use super::draw::Part;
 use super::stats::FrameStats;
 use crate::clip::{Cut, clip};
 use crate::raster::{Drawn, How};
-use crate::scene::layout::{MESHLET_TRIANGLES, MESHLET_VERTICES};
+use crate::scene::layout::{CONE_TRIANGLES, MESHLET_TRIANGLES, MESHLET_VERTICES};
 use crate::scene::{Meshlet, Scene};
 use crate::vertex::{ClipVertex, ScreenVertex, TransformedMeshlet, vertex};
 use crate::view::{ActorView, MeshletRows};
@@ -34,13 +34,19 @@ pub(super) trait Draw {
 /// The triangles of a meshlet that have no more pixels: a bit each. In a band are many
 /// that earlier ones are through with, most of them because they face away.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Done([u32; WORDS]);
+pub(super) struct Done([u8; MESHLET_TRIANGLES / CONE_TRIANGLES]);
 
-const WORDS: usize = MESHLET_TRIANGLES / BITS;
-const BITS: usize = u32::BITS as usize;
+const _: () = assert!(CONE_TRIANGLES == u8::BITS as usize);
 
 impl Done {
-    pub const NONE: Self = Self([0; WORDS]);
+    pub const NONE: Self = Self([0; MESHLET_TRIANGLES / CONE_TRIANGLES]);
+    /// All triangles of a byte.
+    pub const GROUP: u8 = u8::MAX;
+
+    /// The bytes.
+    pub fn groups(&mut self) -> &mut [u8] {
+        &mut self.0
+    }
 }
 
 /// Hands each triangle that may be seen, of those that are not `done`, to `to`.
@@ -51,21 +57,22 @@ pub(super) fn triangles(
     stats: &mut FrameStats,
     to: &mut impl Draw,
 ) {
-    let Done(words) = done;
     let mut first = 0;
-    let all = part.scene.meshlet_triangles(part.meshlet).chunks(BITS);
-    for (done, triangles) in words.iter_mut().zip(all) {
-        let mut now_done = *done;
-        let mut bit = 1;
-        for (number, indices) in (first..).zip(triangles) {
-            if now_done & bit == 0 && !triangle(part, (number, indices), stats, to) {
-                now_done |= bit;
+    let triangles = part.scene.meshlet_triangles(part.meshlet);
+    let groups = done.groups().iter_mut();
+    for (done, triangles) in groups.zip(triangles.chunks(CONE_TRIANGLES)) {
+        if *done != Done::GROUP {
+            let mut now_done = u32::from(*done);
+            let mut bit = 1;
+            for (number, indices) in (first..).zip(triangles) {
+                if now_done & bit == 0 && !triangle(part, (number, indices), stats, to) {
+                    now_done |= bit;
+                }
+                bit <<= 1;
             }
-            bit = bit.rotate_left(1);
+            *done = now_done as u8;
         }
-        stats.triangles += triangles.len() as u32 - done.count_ones();
-        *done = now_done;
-        first += BITS;
+        first += CONE_TRIANGLES;
     }
 }
 
@@ -117,6 +124,8 @@ fn clipped(
     to: &mut impl Draw,
 ) -> bool {
     stats.triangles_clipped += 1;
+    // Its parts are counted by what becomes of them.
+    stats.triangles = stats.triangles.wrapping_add(1);
     let Part {
         scene,
         view,
@@ -140,6 +149,7 @@ fn clipped(
         let Drawn { how, more } = to.draw(&triangle);
         to.drawn(&triangle, how);
         stats.count(how);
+        stats.triangles = stats.triangles.wrapping_sub(1);
         more_of_any |= more;
     }
     more_of_any

@@ -181,6 +181,7 @@ impl<'a> Scene<'a> {
             + size_of_val(self.edges)
             + size_of_val(self.meshlet_edges)
             + size_of_val(self.coordinates)
+            + size_of_val(self.face_cones)
     }
 
     /// A meshlet by its place in the scene's list.
@@ -274,6 +275,14 @@ impl<'a> Scene<'a> {
         )
     }
 
+    /// The cones of a meshlet's triangles, one for each
+    /// [`CONE_TRIANGLES`](layout::CONE_TRIANGLES) of them; empty if the scene has none. See
+    /// [`FaceCone::from_bytes`](super::FaceCone::from_bytes).
+    pub fn meshlet_cones(&self, number: u32, meshlet: &Meshlet) -> &'a [[u8; 3]] {
+        let (first, count) = cones(number, meshlet);
+        run(self.face_cones, first, count)
+    }
+
     /// A meshlet's face normals, as
     /// [`ModelLights::face_level`](crate::view::ModelLights::face_level) takes them,
     /// little-endian; empty if its mesh has none.
@@ -287,6 +296,14 @@ impl<'a> Scene<'a> {
             meshlet.triangles,
         )
     }
+}
+
+/// The place of a meshlet's first cone in the scene's list, and how many it has. Each meshlet
+/// begins where none before it can end, so that no record has to say where.
+pub(super) fn cones(number: u32, meshlet: &Meshlet) -> (usize, u8) {
+    let first = meshlet.first_triangle as usize / layout::CONE_TRIANGLES;
+    let count = meshlet.triangles.div_ceil(layout::CONE_TRIANGLES as u8);
+    (first.saturating_add(number as usize), count)
 }
 
 fn read<R: Record>(records: &[R::Words], index: usize) -> Option<R> {

@@ -41,6 +41,7 @@ pub enum Section {
     Nodes,
     Optics,
     LightAreas,
+    FaceCones,
 }
 
 impl Section {
@@ -81,6 +82,7 @@ impl Section {
         Self::Nodes,
         Self::Optics,
         Self::LightAreas,
+        Self::FaceCones,
     ];
 }
 
@@ -115,6 +117,7 @@ pub enum Field {
     VertexIndex,
     PaletteIndex,
     FaceNormals,
+    FaceCones,
     Fine,
     Sides,
     Background,

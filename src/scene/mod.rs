@@ -4,6 +4,7 @@
 
 mod access;
 mod camera_record;
+mod cone;
 mod error;
 mod fog;
 mod header;
@@ -25,6 +26,7 @@ mod units;
 mod viewport;
 
 pub use camera_record::CameraRecord;
+pub use cone::FaceCone;
 pub use error::{Field, SceneError, Section};
 pub use fog::{Fog, FogMode};
 pub use header::Header;
@@ -47,11 +49,11 @@ pub mod layout {
     /// `FXL1`.
     pub const MAGIC: u32 = u32::from_le_bytes(*b"FXL1");
     /// Version of the layout. A reader refuses any other.
-    pub const VERSION: u32 = 6;
+    pub const VERSION: u32 = 7;
     /// Words of the header, before the section table.
     pub const HEADER_WORDS: usize = 28;
     /// Sections; each has two words in the table: byte offset and count.
-    pub const SECTIONS: usize = 35;
+    pub const SECTIONS: usize = 36;
     /// Bytes before the first section.
     pub const PREFIX_BYTES: usize = 4 * (HEADER_WORDS + 2 * SECTIONS);
     /// Where the checksum starts: after magic, version, length, checksum.
@@ -68,6 +70,8 @@ pub mod layout {
     pub const MESHLET_VERTICES: usize = 64;
     /// Triangles in a meshlet.
     pub const MESHLET_TRIANGLES: usize = 128;
+    /// Triangles that share a [`FaceCone`](super::FaceCone), in a meshlet's order.
+    pub const CONE_TRIANGLES: usize = 8;
     /// Set in an edge's second end whose pixel another edge draws.
     pub const CHAINED: u8 = 0x80;
     /// Most columns or rows of a mark.

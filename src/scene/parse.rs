@@ -49,6 +49,7 @@ pub struct Scene<'a> {
     pub(crate) nodes: &'a [<Node as Record>::Words],
     pub(crate) optics: &'a [<Optics as Record>::Words],
     pub(crate) light_areas: &'a [<LightArea as Record>::Words],
+    pub(crate) face_cones: &'a [[u8; 3]],
 }
 
 impl<'a> Scene<'a> {
@@ -268,7 +269,8 @@ section_fields!(
     shapes,
     nodes,
     optics,
-    light_areas
+    light_areas,
+    face_cones
 );
 
 const fn size_and_alignment<T>(_: fn(&Scene<'static>) -> &'static [T]) -> [usize; 2] {

@@ -1,5 +1,6 @@
 //! Checks of meshes and their meshlets.
 
+use super::access::cones;
 use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
 use super::parse::{count, range};
 use super::{Field, Mesh, Meshlet, Record, Scene, SceneError, Section};
@@ -123,6 +124,11 @@ impl Scene<'_> {
         if mesh.face_normals {
             let last = self.face_normals.len() as i64 - triangles;
             range(s, i, Field::FaceNormals, first, 0, last)?;
+        }
+        if !self.face_cones.is_empty() {
+            let (first, count) = cones(i as u32, meshlet);
+            let last = self.face_cones.len() as i64 - i64::from(count);
+            range(s, i, Field::FaceCones, first as i64, 0, last)?;
         }
         let first = first as usize;
         let own = self

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use super::{ClipVertex, Perspective, ScreenVertex, guard, project};
+use super::{ClipVertex, Perspective, ScreenVertex, Used, guard, project};
 use crate::light::{Patch, ShortUnit, SurfaceLights, vertex_normal};
 use crate::math::{FineLevel, HALF_PX, SUBPX_BITS, SubPx};
 use crate::scene::layout::MESHLET_VERTICES;
@@ -40,13 +40,14 @@ impl TransformedMeshlet {
     }
 }
 
-/// Transforms and lights all vertices of `meshlet` into `out`. Gives the rows of the
-/// viewport between them, unless some have to be clipped.
+/// Transforms and lights the vertices of `meshlet` that are `used` into `out`. Gives the rows of
+/// the viewport between them, unless some have to be clipped.
 #[inline(never)]
 pub fn transform_meshlet(
     scene: &Scene<'_>,
     view: &ActorView,
     meshlet: &Meshlet,
+    used: &Used,
     out: &mut TransformedMeshlet,
 ) -> Option<Range<u16>> {
     let rows = MeshletRows::new(view, meshlet);
@@ -59,23 +60,31 @@ pub fn transform_meshlet(
     if let Some(perspective) = perspective {
         // Each in a loop of its own: together they would not fit into registers.
         if fine.is_empty() {
-            for (out, vertex) in out.vertices.iter_mut().zip(vertices) {
-                let [x, y, z, _] = vertex.map(i16::from_le);
-                *out = on_the_way(&perspective, rows.apply([x, y, z]));
+            for ((out, vertex), used) in out.vertices.iter_mut().zip(vertices).zip(used.iter()) {
+                if *used != 0 {
+                    let [x, y, z, _] = vertex.map(i16::from_le);
+                    *out = on_the_way(&perspective, rows.apply([x, y, z]));
+                }
             }
         } else {
-            for ((out, vertex), fine) in out.vertices.iter_mut().zip(vertices).zip(fine) {
-                let place = rows.apply_fine(fine_place(meshlet, *vertex, *fine));
-                *out = on_the_way(&perspective, place);
+            let stored = vertices.iter().zip(fine).zip(used.iter());
+            for (out, ((vertex, fine), used)) in out.vertices.iter_mut().zip(stored) {
+                if *used != 0 {
+                    let place = rows.apply_fine(fine_place(meshlet, *vertex, *fine));
+                    *out = on_the_way(&perspective, place);
+                }
             }
         }
         if cfg!(narrow_multiply) {
-            for (out, _) in out.vertices.iter_mut().zip(vertices) {
-                *out = perspective.project_inside(out.in_clip());
+            for ((out, _), used) in out.vertices.iter_mut().zip(vertices).zip(used.iter()) {
+                if *used != 0 {
+                    *out = perspective.project_inside(out.in_clip());
+                }
             }
         }
     } else {
-        for (i, (out, vertex)) in out.vertices.iter_mut().zip(vertices).enumerate() {
+        let all = out.vertices.iter_mut().zip(vertices).zip(used.iter());
+        for (i, ((out, vertex), _)) in all.enumerate().filter(|(_, (_, used))| **used != 0) {
             let [x, y, distance] = clip_place(&rows, meshlet, *vertex, fine.get(i));
             let vertex = ClipVertex {
                 x,
@@ -87,16 +96,20 @@ pub fn transform_meshlet(
         }
     }
     if lit {
-        for (i, (out, vertex)) in out.vertices.iter_mut().zip(vertices).enumerate() {
-            let [.., normal] = vertex.map(i16::from_le);
-            let low = fine.get(i).map(|[.., low]| *low);
-            *out = out.lit(level(view, normal, low));
+        let all = out.vertices.iter_mut().zip(vertices).zip(used.iter());
+        for (i, ((out, vertex), used)) in all.enumerate() {
+            if *used != 0 {
+                let [.., normal] = vertex.map(i16::from_le);
+                let low = fine.get(i).map(|[.., low]| *low);
+                *out = out.lit(level(view, normal, low));
+            }
         }
     }
     if full && gouraud {
-        light_vertices(scene, view, meshlet, out);
+        light_vertices(scene, view, meshlet, used, out);
     }
-    rows_between(out.vertices.get(..vertices.len()).unwrap_or_default())
+    let known = out.vertices.iter().take(vertices.len()).zip(used.iter());
+    rows_between(known.filter_map(|(vertex, used)| (*used != 0).then_some(vertex)))
 }
 
 /// A vertex within all planes, projected; where registers are few, that is left to a loop of
@@ -129,7 +142,8 @@ fn inside(view: &ActorView, meshlet: &Meshlet, rows: &MeshletRows) -> bool {
 }
 
 /// The rows whose centres are between vertices.
-fn rows_between(vertices: &[ScreenVertex]) -> Option<Range<u16>> {
+#[inline(always)]
+fn rows_between<'v>(vertices: impl Iterator<Item = &'v ScreenVertex>) -> Option<Range<u16>> {
     let (least, most) = ScreenVertex::heights(vertices)?;
     let row = |y: SubPx| {
         let row = (y.to_bits().saturating_add(HALF_PX - 1)) >> SUBPX_BITS;
@@ -144,6 +158,7 @@ fn light_vertices(
     scene: &Scene<'_>,
     view: &ActorView,
     meshlet: &Meshlet,
+    used: &Used,
     out: &mut TransformedMeshlet,
 ) {
     let patch = Patch::new(meshlet, &view.mesh);
@@ -152,7 +167,10 @@ fn light_vertices(
     let tints = scene.meshlet_colours(meshlet, &view.mesh);
     let fine = scene.meshlet_fine(meshlet, &view.mesh);
     let vertices = scene.meshlet_vertices(meshlet).iter().enumerate();
-    for ((i, vertex), out_vertex) in vertices.zip(&mut out.vertices) {
+    for (((i, vertex), out_vertex), used) in vertices.zip(&mut out.vertices).zip(used.iter()) {
+        if *used == 0 {
+            continue;
+        }
         let (place, normal) = surface_point(&patch, *vertex, fine.get(i));
         let tint = tints.get(i).map(|[r, g, b, _]| [*r, *g, *b]);
         let lit = lights.shine(normal, place, tint);

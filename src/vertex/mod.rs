@@ -6,6 +6,7 @@ mod clip_coordinates;
 mod meshlet;
 mod projection;
 mod screen_vertex;
+mod used;
 
 pub use clip_coordinates::ClipVertex;
 pub use meshlet::{TransformedMeshlet, surface_point, transform_meshlet, vertex};
@@ -13,3 +14,4 @@ use projection::Perspective;
 pub(crate) use projection::{guard, outcode};
 pub use projection::{outside, project, project_inside};
 pub use screen_vertex::{Rest, ScreenVertex};
+pub use used::Used;

@@ -138,7 +138,8 @@ impl ScreenVertex {
     }
 
     /// The least and the most y of some; `None` if some have to be clipped.
-    pub(super) fn heights(vertices: &[Self]) -> Option<(SubPx, SubPx)> {
+    #[inline(always)]
+    pub(super) fn heights<'v>(vertices: impl Iterator<Item = &'v Self>) -> Option<(SubPx, SubPx)> {
         let (mut least, mut most, mut any) = (i32::MAX, i32::MIN, 0);
         for vertex in vertices {
             // What is below y decides only between equals.

@@ -5,11 +5,12 @@ use std::sync::LazyLock;
 
 use fixed::types::U8F24;
 use fixel::clip::clip;
-use fixel::cull::{Verdict, judge};
+use fixel::cull::{Sight, Verdict, judge};
 use fixel::math::{Angle, Factor, Vec3, World};
 use fixel::raster::{Fill, Sides, draw_triangle};
+use fixel::scene::layout::CONE_TRIANGLES;
 use fixel::scene::{Camera, Cull, Meshlet, Placement, Projection};
-use fixel::vertex::{ScreenVertex, TransformedMeshlet, transform_meshlet, vertex};
+use fixel::vertex::{ScreenVertex, TransformedMeshlet, Used, transform_meshlet, vertex};
 use fixel::view::{ActorView, MeshletRows, ViewFrame};
 use fixel::{Band, Scene};
 use fixel_bake::Baked;
@@ -35,8 +36,14 @@ static SCENES: LazyLock<Vec<Baked>> = LazyLock::new(|| {
         .collect()
 });
 
-/// The rows of a meshlet's pixels, half-open; `None` if it has none.
-fn rows_drawn(scene: &Scene<'_>, view: &ActorView, meshlet: &Meshlet) -> Option<(u16, u16)> {
+/// The rows that a meshlet's triangles have pixels in, those whose numbers are asked for,
+/// half-open; `None` if there are none.
+fn rows_drawn(
+    scene: &Scene<'_>,
+    view: &ActorView,
+    meshlet: &Meshlet,
+    asked: impl Fn(usize) -> bool,
+) -> Option<(u16, u16)> {
     let pixels = usize::from(SIZE.0) * usize::from(SIZE.1);
     let (mut indices, mut depths) = (vec![0; pixels], vec![0; pixels]);
     let mut band = Band::new(SIZE.0, &mut indices, &mut depths).expect("a band");
@@ -47,9 +54,10 @@ fn rows_drawn(scene: &Scene<'_>, view: &ActorView, meshlet: &Meshlet) -> Option<
         back: view.material.cull != Cull::Back,
     };
     let mut transformed = TransformedMeshlet::EMPTY;
-    transform_meshlet(scene, view, meshlet, &mut transformed);
+    transform_meshlet(scene, view, meshlet, &Used::ALL, &mut transformed);
     let rows = MeshletRows::new(view, meshlet);
-    for indices in scene.meshlet_triangles(meshlet) {
+    let all = scene.meshlet_triangles(meshlet).iter().enumerate();
+    for (_, indices) in all.filter(|(number, _)| asked(*number)) {
         let corners = indices.map(|i| &transformed.vertices[usize::from(i)]);
         let mut draw = |triangle: [&ScreenVertex; 3]| {
             draw_triangle(&mut target, triangle, sides, view.perspective, || {
@@ -167,6 +175,37 @@ struct Counts {
     meshlets: usize,
     drawn: usize,
     culled: usize,
+    /// Triangles of meshlets that cones were asked of.
+    triangles: usize,
+    /// Those that cones leave out.
+    behind: usize,
+}
+
+impl Counts {
+    /// What a cone says is seen from behind has no pixel.
+    fn check_cones(
+        &mut self,
+        scene: &Scene<'_>,
+        view: &ActorView,
+        (number, meshlet): (u32, &Meshlet),
+    ) -> Result<(), TestCaseError> {
+        if view.material.cull != Cull::Back {
+            return Ok(());
+        }
+        let sight = Sight::new(view, meshlet);
+        let cones = scene.meshlet_cones(number, meshlet);
+        let behind = |triangle: usize| sight.is_behind(cones[triangle / CONE_TRIANGLES]);
+        prop_assert_eq!(
+            rows_drawn(scene, view, meshlet, behind),
+            None,
+            "cones of meshlet {}",
+            number
+        );
+        let triangles = usize::from(meshlet.triangles);
+        self.triangles += triangles;
+        self.behind += (0..triangles).filter(|t| behind(*t)).count();
+        Ok(())
+    }
 }
 
 fn check(case: &View, counts: &mut Counts) -> Result<(), TestCaseError> {
@@ -185,7 +224,8 @@ fn check(case: &View, counts: &mut Counts) -> Result<(), TestCaseError> {
         let mesh = scene.mesh(actor.mesh);
         for m in mesh.first_meshlet..mesh.first_meshlet + mesh.meshlets {
             let meshlet = scene.meshlet(m).expect("in range");
-            let drawn = rows_drawn(&scene, &view, &meshlet);
+            let drawn = rows_drawn(&scene, &view, &meshlet, |_| true);
+            counts.check_cones(&scene, &view, (m, &meshlet))?;
             counts.meshlets += 1;
             counts.drawn += usize::from(drawn.is_some());
             match judge(&view, &meshlet, SIZE.1, 0) {
@@ -235,5 +275,12 @@ fn most_of_what_shows_nothing_is_culled() {
         counts.culled * 100 > hidden * 80,
         "{} of {hidden} are culled",
         counts.culled
+    );
+    // Half of all face away, and of a cube none does without its neighbours in a cone.
+    assert!(
+        counts.behind * 100 > counts.triangles * 30,
+        "{} of {} are left out by cones",
+        counts.behind,
+        counts.triangles
     );
 }

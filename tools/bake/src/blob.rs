@@ -5,6 +5,7 @@ use fixel::scene::{Header, Mesh, Optics, Record, SceneError, Shape, checksum};
 use fixel_scene::{Actor, Element, Scene, Space};
 
 use crate::error::{BakeError, Problem};
+use crate::facing::cones;
 use crate::fog;
 use crate::instance::instances;
 use crate::light::{light, material};
@@ -217,6 +218,7 @@ fn bake_with(scene: &Scene, rays: Option<&[Sample]>) -> Result<Baked, BakeError>
         Rays::default()
     };
 
+    let cones = cones(&parts);
     let output = Vec::from_iter(output(scene));
     let words = |records: &[u8]| records.to_vec();
     let sections: [(Vec<u8>, usize); SECTIONS] = [
@@ -264,6 +266,7 @@ fn bake_with(scene: &Scene, rays: Option<&[Sample]>) -> Result<Baked, BakeError>
         records(&rays.nodes),
         records(&rays.optics),
         records(&rays.areas),
+        (words(cones.as_flattened()), cones.len()),
     ];
     let cycle = scene.animation.palette_cycle;
     if let Some(cycle) = cycle.filter(|c| c.last as usize >= tables.palette.len()) {

@@ -2,7 +2,7 @@
 //! moving and scaling evenly is done here, so that the core deals with
 //! similarities only (and a normal stays a normal).
 
-use fixel_scene::{Actor, Light, LightKind, Mesh, Representation, Scene, Shading};
+use fixel_scene::{Actor, Cull, Light, LightKind, Mesh, Representation, Scene, Shading};
 use glam::{DMat3, DVec3};
 
 use crate::placement::Placed;
@@ -22,6 +22,8 @@ pub(crate) struct Instance {
     pub glossy: bool,
     /// The most diffuse light that lights give some actor; 1 is full.
     pub brightness: f64,
+    /// Whether some actor shows its faces, but not from behind, and no rays meet them.
+    pub culled: bool,
     /// Whether some actor shows its edges.
     pub edges: bool,
     /// Whether some actor shows its vertices.
@@ -123,6 +125,7 @@ pub(crate) fn instances(
                 smooth: false,
                 glossy: false,
                 brightness: 0.0,
+                culled: false,
                 edges: false,
                 points: false,
             });
@@ -141,7 +144,11 @@ pub(crate) fn instances(
         instance.brightness = instance.brightness.max(diffuse * light);
         instance.glossy |= is_glossy(scene, actor, for_rays);
         match actor.look.representation {
-            Representation::Surface => {}
+            // Rays want triangles in an order of their own.
+            Representation::Surface => {
+                let culled = scene.materials[actor.material].cull == Cull::Back;
+                instance.culled |= culled && !for_rays;
+            }
             Representation::Wireframe | Representation::HiddenLine => instance.edges = true,
             Representation::Points => instance.points = true,
         }

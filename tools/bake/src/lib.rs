@@ -17,6 +17,7 @@ mod blob;
 mod build_script;
 mod coordinates;
 mod error;
+mod facing;
 mod fog;
 mod grid;
 mod group;

@@ -15,7 +15,7 @@ use crate::light_error::wrong_share;
 use crate::meshlet::clusters;
 use crate::simplify::Level;
 use crate::snap::{place, snap};
-use crate::{BakeError, Problem, coordinates, normal};
+use crate::{BakeError, Problem, coordinates, facing, normal};
 
 /// A mesh of so many triangles may take 4 bytes more a vertex to be exact to 22
 /// bits an axis: large faces that the eye stands close to need it, and flash does
@@ -363,7 +363,13 @@ impl Shape {
 
     /// What goes into its meshlets.
     fn groups(&self, instance: &Instance, mesh: &Mesh) -> Vec<Group> {
-        let clusters = clusters(&self.positions, &self.triangles);
+        let mut clusters = clusters(&self.positions, &self.triangles);
+        // Marks are drawn in the order of the triangles' corners.
+        if instance.culled && !instance.points {
+            for cluster in &mut clusters {
+                facing::sort(cluster, |t| self.face_normal(&self.triangles[t]));
+            }
+        }
         let edges = if instance.edges {
             mesh.edges.as_slice()
         } else {

@@ -81,6 +81,7 @@ pub fn render(input: Input, options: Options) -> Result<Rendered> {
         ("vertices", s.vertices),
         ("triangles_looked_at", s.triangles),
         ("triangles_missed", s.triangles_missed),
+        ("triangles_behind", s.triangles_behind),
         ("triangles_away", s.triangles_away),
         ("triangles_outside", s.triangles_outside),
         ("triangles_clipped", s.triangles_clipped),

@@ -7,9 +7,10 @@ mod seen;
 
 use fixel::scene::{LightArea, Node, Optics, RaySettings, Shape};
 use fixel_scene::{Actor, Element, Material, Primitive, Scene};
-use glam::{DMat3, DVec3, IVec3};
+use glam::{DMat3, DVec3};
 
 use crate::error::{BakeError, Problem, Spot};
+use crate::facing::point;
 use crate::grid::Grid;
 use crate::instance::Instance;
 use crate::mesh::Parts;
@@ -200,20 +201,4 @@ fn triangles(parts: &mut Parts, mesh: usize, nodes: &mut Vec<Node>) -> Result<Sh
         first_node,
         nodes: built.nodes.len() as u32,
     })
-}
-
-/// A vertex in grid steps.
-fn point(parts: &Parts, mesh: usize, meshlet: usize, vertex: u8) -> IVec3 {
-    let own = &parts.meshlets[meshlet];
-    let at = own.first_vertex as usize + usize::from(vertex);
-    let stored = parts.vertices[at];
-    let fine = parts.meshes[mesh].fine.map(|offset| {
-        let at = (at as u32).wrapping_add(offset);
-        parts.fine[at as usize]
-    });
-    let axis = |axis: usize| {
-        let low = fine.map_or(0, |fine| i32::from(fine[axis]));
-        own.base[axis] + (i32::from(stored[axis]) << own.shifts[axis]) + low
-    };
-    IVec3::new(axis(0), axis(1), axis(2))
 }
