@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use serde_json::{Map, Value, json};
 
-use crate::measure::{ONE_BAND, Ready, Target};
+use crate::measure::{self, ONE_BAND};
 use crate::problem::{Problem, Result};
 use crate::report::Tally;
 use crate::{board, parallel, paths, scene, toolchain};
@@ -115,14 +115,7 @@ fn compiler() -> Result<String> {
 
 /// Every row.
 fn counts(tally: &mut Tally) -> Vec<Count> {
-    let ready: Vec<Ready> = BOARDS
-        .iter()
-        .filter_map(|name| {
-            let board = board::find(name).map_err(Problem::from);
-            let ready = board.and_then(|board| Target::Board(board).prepare());
-            tally.need(&format!("counts on {name}"), ready)
-        })
-        .collect();
+    let ready = measure::boards(&BOARDS, "counts", tally);
     let mut rows = Vec::new();
     for name in scene::bench() {
         let Some(baked) = tally.need(&format!("counts of {name}"), scene::bake(name)) else {

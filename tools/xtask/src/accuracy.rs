@@ -1,5 +1,7 @@
 //! The core's pictures held against the f64 reference, on every scene.
 
+mod limits;
+
 use std::path::Path;
 
 use fixel_reference::{Frame, Report, Truth};
@@ -7,42 +9,10 @@ use fixel_report::{Entry, Page};
 use fixel_scene::{ColourFormat, Filter, Representation, Scene, Texturing};
 use serde_json::{Map, Value, json};
 
+use self::limits::Held;
 use crate::problem::{Problem, Result};
 use crate::report::{Tally, table};
 use crate::{parallel, scene};
-
-/// Most pixels whose coverage may differ, as a share of the covered ones, and
-/// always one pixel.
-const COVERAGE_PERCENT: f64 = 0.02;
-/// Most that places in textures are off in the mean, in texels.
-const TEXELS: f64 = 0.25;
-/// Fewest agreeing pixels, in percent, whose depth is within one unit.
-const DEPTH_WITHIN_1_PERCENT: f64 = 99.9;
-/// Fewest agreeing pixels, in percent, whose light is within 2 of 255.
-const LEVEL_WITHIN_2_PERCENT: f64 = 99.0;
-/// Least PSNR against the truth through the same palette.
-const SAME_PALETTE_DB: f64 = 40.0;
-/// Least PSNR against the unquantised truth: a palette without the colours that a scene
-/// shows does not come near it.
-const TRUE_DB: f64 = 30.0;
-/// Least PSNR of a scene of one material against the unquantised truth, on a
-/// display with 8 bits a channel: 16-bit colour alone costs all but 42 dB.
-const PSNR_DB: f64 = 45.0;
-/// Least PSNR of a scene without a palette against the unquantised truth, at 16 bits: the
-/// rounding to them costs all but 42 dB, and what is mixed is rounded twice.
-const DIRECT_DB: f64 = 40.0;
-
-/// Of a scene with level of detail, whose coarser meshes are off by half a pixel: most pixels
-/// whose coverage may differ, as a share of the covered ones.
-const LOD_COVERAGE_PERCENT: f64 = 0.5;
-/// Most that light is off in the mean there, of 255.
-const LOD_LEVEL: f64 = 2.0;
-
-/// Of the ray caster: most pixels that show another surface, as a share of the picture,
-/// and always one pixel.
-const RAY_SURFACE_PERCENT: f64 = 0.01;
-/// Most pixels with a wrong shadow, as a share of the lit ones, and always one.
-const RAY_SHADOW_PERCENT: f64 = 0.1;
 
 /// The report's first page.
 const INDEX: &str = "index.html";
@@ -65,18 +35,11 @@ impl Renderer {
     }
 }
 
-/// A scene's figures.
+/// A scene by a renderer.
 struct Compared {
     /// The page and the small picture of a report, if one is asked for.
     page: Option<(String, String)>,
-    report: Report,
-    /// The PSNR that is held to a limit, if it is.
-    rgb888_psnr_db: f64,
-    one_material: bool,
-    /// Colours are as they are lit, but for what 16 bits leave of them.
-    without_palette: bool,
-    /// It is drawn with coarser meshes from afar.
-    lod: bool,
+    held: Held,
 }
 
 /// Compares every scene in `scenes/`, `scenes/bench/` and `scenes/ray/`, frame 0, at its own
@@ -106,9 +69,8 @@ pub fn run(tally: &mut Tally, report: Option<&Path>) -> Result<Value> {
             continue;
         };
         let limits = match renderer {
-            Renderer::Raster if compared.lod => lod_limits(&compared.report),
-            Renderer::Raster => limits(&compared),
-            Renderer::Ray => ray_limits(&compared.report).map_err(|problem| known(&name, problem)),
+            Renderer::Raster => compared.held.by_triangles(),
+            Renderer::Ray => compared.held.by_rays(&name),
         };
         let broken = limits.as_ref().err().map(ToString::to_string);
         tally.check(&what, limits);
@@ -160,14 +122,14 @@ fn compare(file: &Path, renderer: Renderer, pages: bool) -> Result<Option<Compar
         .materials
         .iter()
         .any(|m| m.texture.as_ref().is_some_and(blended));
-    let mut compared = Compared {
-        page: None,
-        one_material: scene.materials.len() == 1 && !without_palette && !blended_texels,
-        without_palette,
-        lod: scene.lod.is_some() && renderer == Renderer::Raster,
+    let held = Held {
         report,
         rgb888_psnr_db,
+        one_material: scene.materials.len() == 1 && !without_palette && !blended_texels,
+        without_palette,
+        lod: scene.lod.is_some(),
     };
+    let mut compared = Compared { page: None, held };
     if pages {
         let page = fixel_report::page(&Page {
             title: format!("{} by {}", scene::name(file), renderer.name()),
@@ -185,9 +147,9 @@ fn compare(file: &Path, renderer: Renderer, pages: bool) -> Result<Option<Compar
 impl Compared {
     /// As JSON has them.
     fn figures(&self) -> Result<Value> {
-        let report = serde_json::to_value(&self.report);
+        let report = serde_json::to_value(&self.held.report);
         let mut report = report.map_err(|error| error.to_string())?;
-        report["rgb888_psnr_true_db"] = json!(self.rgb888_psnr_db);
+        report["rgb888_psnr_true_db"] = json!(self.held.rgb888_psnr_db);
         Ok(report)
     }
 }
@@ -226,130 +188,6 @@ fn report(scene: &Scene, renderer: Renderer) -> Result<(Report, Frame, Truth)> {
     };
     let report = fixel_reference::compare(&truth, &frame).map_err(|error| error.to_string())?;
     Ok((report, frame, truth))
-}
-
-/// Scenes that the ray caster cannot draw within the limits, and why.
-const RAY_KNOWN: [(&str, &str); 2] = [
-    (
-        "mono_bunny",
-        "two pixels of 8,192: of triangles smaller than a pixel so many edges pass pixels' centres \
-         that one within a step of the mesh's grid is no rarity",
-    ),
-    (
-        "suzanne",
-        "a face four pixels wide that lies edge-on to the light to within a step of the mesh's \
-         grid: whether it is lit at all hangs on that",
-    ),
-];
-
-/// A problem that is known is none of the code as it is.
-fn known(scene: &str, problem: Problem) -> Problem {
-    match (RAY_KNOWN.iter().find(|(name, _)| *name == scene), problem) {
-        (Some((_, why)), Problem::Failed(what)) => Problem::Missing(format!("{what}: {why}")),
-        (_, problem) => problem,
-    }
-}
-
-fn ray_limits(report: &Report) -> Result<()> {
-    let mut broken = Vec::new();
-    let share = |count: usize, percent: f64| (count as f64 * percent / 100.0).max(1.0);
-    let pixels = (report.width * report.height) as usize;
-    let others = report.coverage_mismatch_px + report.visible_mismatch_px;
-    if others as f64 > share(pixels, RAY_SURFACE_PERCENT) {
-        broken.push(format!("another surface on {others} of {pixels} pixels"));
-    }
-    if report.depth_within_1_percent < DEPTH_WITHIN_1_PERCENT {
-        let percent = report.depth_within_1_percent;
-        broken.push(format!("depth is within 1 unit on {percent:.2} % only"));
-    }
-    let (wrong, lit) = (report.shadow_mismatch_px, report.lit_px);
-    if wrong as f64 > share(lit, RAY_SHADOW_PERCENT) {
-        broken.push(format!("wrong shadows on {wrong} of {lit} lit pixels"));
-    }
-    if report.shadow_mismatch_clusters > 0 {
-        let clusters = report.shadow_mismatch_clusters;
-        broken.push(format!("{clusters} clusters of wrong shadows"));
-    }
-    broken.extend(far_from_truth(report));
-    if broken.is_empty() {
-        Ok(())
-    } else {
-        Err(broken.join("; ").into())
-    }
-}
-
-/// Colour through the same palette, if it is broken.
-fn far_from_truth(report: &Report) -> Option<String> {
-    let db = report.rgb_psnr_db;
-    (db < SAME_PALETTE_DB).then(|| format!("colour through the same palette at {db:.1} dB only"))
-}
-
-fn limits(compared: &Compared) -> Result<()> {
-    let report = &compared.report;
-    let allowed = (report.covered_px as f64 * COVERAGE_PERCENT / 100.0).max(1.0);
-    let mut broken = Vec::new();
-    if report.coverage_mismatch_px as f64 > allowed {
-        broken.push(format!(
-            "coverage differs on {} of {} pixels",
-            report.coverage_mismatch_px, report.covered_px
-        ));
-    }
-    if report.depth_within_1_percent < DEPTH_WITHIN_1_PERCENT {
-        broken.push(format!(
-            "depth is within 1 unit on {:.2} % only",
-            report.depth_within_1_percent
-        ));
-    }
-    if report.level_within_2_percent < LEVEL_WITHIN_2_PERCENT {
-        broken.push(format!(
-            "light is within 2 of 255 on {:.2} % only",
-            report.level_within_2_percent
-        ));
-    }
-    broken.extend(far_from_truth(report));
-    if report.rgb_psnr_true_db < TRUE_DB {
-        let db = report.rgb_psnr_true_db;
-        broken.push(format!(
-            "colour at {db:.1} dB of the unquantised truth only"
-        ));
-    }
-    if report.texel_mean > TEXELS {
-        broken.push(format!(
-            "places in textures are {:.2} texels off",
-            report.texel_mean
-        ));
-    }
-    if compared.one_material && compared.rgb888_psnr_db < PSNR_DB {
-        broken.push(format!("colour at {:.1} dB only", compared.rgb888_psnr_db));
-    }
-    let true_db = report.rgb_psnr_true_db;
-    if compared.without_palette && true_db < DIRECT_DB {
-        broken.push(format!("colour without a palette at {true_db:.1} dB only"));
-    }
-    if broken.is_empty() {
-        Ok(())
-    } else {
-        Err(broken.join("; ").into())
-    }
-}
-
-/// Of a scene with level of detail: depth and light are those of other surfaces.
-fn lod_limits(report: &Report) -> Result<()> {
-    let mut broken = Vec::new();
-    if report.coverage_mismatch_percent > LOD_COVERAGE_PERCENT {
-        let percent = report.coverage_mismatch_percent;
-        broken.push(format!("coverage differs on {percent:.2} %"));
-    }
-    if report.level_mean > LOD_LEVEL {
-        let mean = report.level_mean;
-        broken.push(format!("light is off by {mean:.2} of 255 in the mean"));
-    }
-    broken.extend(far_from_truth(report));
-    if broken.is_empty() {
-        Ok(())
-    } else {
-        Err(broken.join("; ").into())
-    }
 }
 
 /// The README's tables.
@@ -409,6 +247,3 @@ pub fn markdown(figures: &Value) -> String {
          The ray caster, against rays in f64 (shadows, mirrors and glass included):\n\n{ray}"
     )
 }
-
-#[cfg(test)]
-mod tests;

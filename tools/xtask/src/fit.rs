@@ -1,27 +1,23 @@
 //! Coefficients of `fixel estimate`: what each kind of work takes on a processor, fitted to
 //! counts from emulators.
 
+mod cases;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use fixel_estimate::{Count, Firmware, Model, Parts, Term, Work, non_negative};
-use fixel_scene::{Filter, Representation, Scene, Shading, Texturing};
+use fixel_estimate::{Count, Firmware, Model, Parts, Term, non_negative};
 use serde_json::{Map, Value, json};
 
-use crate::measure::{ONE_BAND, Ready, Target};
-use crate::problem::{Problem, Result};
+use self::cases::{AS_IT_IS, Case, FRAMES};
+use crate::measure::{self, Ready};
+use crate::problem::Result;
 use crate::report::{Tally, table};
-use crate::{board, footprint, growth, parallel, paths, scene};
+use crate::{footprint, parallel, paths};
 
 /// Processors that are counted.
 const TARGETS: [&str; 3] = ["cortex-m4f", "cortex-m0plus", "riscv32imc"];
-/// Frames that are counted of each scene.
-const FRAMES: std::ops::Range<u32> = 3..5;
-/// Rows of bands.
-const BANDS: [u16; 2] = [16, ONE_BAND as u16];
-/// Pixels of a band of the measured firmware, at most.
-const MOST_PX: u32 = 320 * 240;
 /// Scenes that nothing is fitted to: each has its like among the others, in another mesh,
 /// light or view.
 const HELD_OUT: [&str; 14] = [
@@ -39,25 +35,6 @@ const HELD_OUT: [&str; 14] = [
     "viewports",
     "w2_teapot_gouraud",
     "wireframe",
-];
-/// What is changed in a scene for more to fit to.
-const AS_IT_IS: &str = "";
-const HALF: &str = "_half";
-const FLAT: &str = "_flat";
-const GOURAUD: &str = "_gouraud";
-const PHONG: &str = "_phong";
-const WIRES: &str = "_wires";
-const OTHER_COPIES: &str = "_copies";
-const OTHER_FILTER: &str = "_filter";
-const VARIANTS: [&str; 8] = [
-    AS_IT_IS,
-    HALF,
-    FLAT,
-    GOURAUD,
-    PHONG,
-    WIRES,
-    OTHER_COPIES,
-    OTHER_FILTER,
 ];
 /// How many times as much a scene counts as one that was changed: it is more like what people
 /// make.
@@ -84,7 +61,7 @@ pub struct Options {
 
 /// Fits, and writes the file. Gives every count.
 pub fn run(tally: &mut Tally, options: &Options) -> Result<Value> {
-    let cases = cases(tally)?;
+    let cases = cases::all(tally)?;
     let mut counts = match &options.from {
         Some(path) => read(path)?,
         None => Vec::new(),
@@ -124,121 +101,6 @@ pub fn run(tally: &mut Tally, options: &Options) -> Result<Value> {
     Ok(json!(counts))
 }
 
-/// A frame whose work is known.
-struct Case {
-    scene: String,
-    variant: &'static str,
-    frame: u32,
-    band_rows: u16,
-    work: Work,
-    baked: scene::Baked,
-}
-
-/// Every scene that is drawn by triangles, as large as it is and half as large, and those
-/// that grow.
-fn cases(tally: &mut Tally) -> Result<Vec<Case>> {
-    let mut all = Vec::new();
-    for path in scene::all()? {
-        let name = scene::name(&path);
-        if scene::by_rays(&name) {
-            continue;
-        }
-        for variant in VARIANTS {
-            let what = format!("{name} {variant}");
-            if let Some(Some(baked)) = tally.need(&what, bake(&path, variant)) {
-                add(&mut all, (&name, variant), baked)?;
-            }
-        }
-    }
-    for grown in growth::scenes()? {
-        let name = grown.name();
-        if let Some(baked) = tally.need(&name, grown.bake()) {
-            add(&mut all, (&name, AS_IT_IS), baked)?;
-        }
-    }
-    Ok(all)
-}
-
-fn add(
-    all: &mut Vec<Case>,
-    (name, variant): (&str, &'static str),
-    (blob, baked): (fixel_bake::Baked, scene::Baked),
-) -> Result<()> {
-    let parsed = blob.scene().map_err(|error| error.to_string())?;
-    for (frame, band_rows) in FRAMES.flat_map(|frame| BANDS.map(|rows| (frame, rows))) {
-        // More pixels than the measured firmware has room for in one band.
-        let px = u32::from(parsed.frame_width()) * u32::from(parsed.frame_height());
-        if u32::from(band_rows) == ONE_BAND && px > MOST_PX {
-            continue;
-        }
-        all.push(Case {
-            scene: name.to_owned(),
-            variant,
-            frame,
-            band_rows,
-            work: fixel_estimate::work(&parsed, &parsed.pose(frame), band_rows),
-            baked: baked.clone(),
-        });
-    }
-    Ok(())
-}
-
-/// A variant of a scene; none if it is that already.
-fn bake(path: &Path, variant: &str) -> Result<Option<(fixel_bake::Baked, scene::Baked)>> {
-    let mut shown = fixel_scene::load(path).map_err(|error| error.to_string())?;
-    let whole = shown.clone();
-    match variant {
-        HALF => {
-            shown.display.width = (shown.display.width / 2).max(1);
-            shown.display.height = (shown.display.height / 2).max(1);
-        }
-        FLAT => shown
-            .materials
-            .iter_mut()
-            .for_each(|m| m.shading = Shading::Flat),
-        GOURAUD => shown
-            .materials
-            .iter_mut()
-            .for_each(|m| m.shading = Shading::Gouraud),
-        PHONG => shown
-            .materials
-            .iter_mut()
-            .for_each(|m| m.shading = Shading::Phong),
-        WIRES => {
-            let all = shown.actors.iter_mut();
-            all.for_each(|actor| actor.look.representation = Representation::Wireframe);
-        }
-        OTHER_COPIES => textures(&mut shown, |t| t.mipmaps = !t.mipmaps),
-        OTHER_FILTER => textures(&mut shown, |t| {
-            t.filter = match t.filter {
-                Filter::Nearest => Filter::Bilinear,
-                Filter::Bilinear => Filter::Nearest,
-            }
-        }),
-        _ => {}
-    }
-    if variant != AS_IT_IS && shown == whole {
-        return Ok(None);
-    }
-    let blob = match fixel_bake::bake(&shown) {
-        Ok(blob) => blob,
-        // Not everything can be drawn in every way.
-        Err(_) if variant != AS_IT_IS => return Ok(None),
-        Err(error) => return Err(error.to_string().into()),
-    };
-    let file = paths::work("fit")?.join(format!("{}{variant}.fxl", scene::name(path)));
-    fs::write(&file, blob.bytes()).map_err(|error| format!("{}: {error}", file.display()))?;
-    let bytes = blob.bytes().len() as u64;
-    Ok(Some((blob, scene::Baked { path: file, bytes })))
-}
-
-/// Changes how each texture lies on its surface.
-fn textures(scene: &mut Scene, change: impl Fn(&mut Texturing)) {
-    let all = scene.materials.iter_mut();
-    all.filter_map(|material| material.texture.as_mut())
-        .for_each(change);
-}
-
 /// Counts every case that is not known yet, on every target.
 fn count(tally: &mut Tally, cases: &[Case], known: &[Count]) -> Vec<Count> {
     let known: BTreeSet<_> = known
@@ -255,14 +117,7 @@ fn count(tally: &mut Tally, cases: &[Case], known: &[Count]) -> Vec<Count> {
     let is_known = |target, case: &Case| {
         known.contains(&(target, case.scene.as_str(), case.variant, case.band_rows))
     };
-    let ready: Vec<Ready> = TARGETS
-        .iter()
-        .filter_map(|name| {
-            let board = board::find(name).map_err(Problem::from);
-            let ready = board.and_then(|board| Target::Board(board).prepare());
-            tally.need(&format!("counts on {name}"), ready)
-        })
-        .collect();
+    let ready = measure::boards(&TARGETS, "counts", tally);
     let first = |case: &&Case| case.frame == FRAMES.start;
     let runs: Vec<(&Ready, &Case)> = ready
         .iter()

@@ -1,14 +1,11 @@
 //! How instructions of a frame grow with its pixels, its actors and its lights: tables and a
 //! plot.
 
-use std::fs;
-
 use fixel_scene::{Actor, Light, LightKind, Scene, Shading};
 use serde_json::{Map, Value, json};
 
-use crate::board;
-use crate::measure::{Ready, Target};
-use crate::problem::{Problem, Result};
+use crate::measure::{self, Ready};
+use crate::problem::Result;
 use crate::report::{Tally, table};
 use crate::{parallel, paths, plot, readme, scene};
 
@@ -92,10 +89,8 @@ impl Grown {
     /// Bakes it into a file.
     pub fn bake(&self) -> Result<(fixel_bake::Baked, scene::Baked)> {
         let blob = fixel_bake::bake(&self.scene).map_err(|error| error.to_string())?;
-        let path = paths::work("scenes")?.join(format!("grown_{}.fxl", self.name()));
-        fixel_output::write(&path, blob.bytes())?;
-        let bytes = blob.bytes().len() as u64;
-        Ok((blob, scene::Baked { path, bytes }))
+        let baked = scene::Baked::keep("scenes", &format!("grown_{}", self.name()), &blob)?;
+        Ok((blob, baked))
     }
 }
 
@@ -187,14 +182,7 @@ fn placed_light(which: usize, count: usize) -> Light {
 /// Draws every scene on both boards. Gives `{"pixels": [{"amount": n, "cortex-m4f":
 /// instructions, ...}], ...}`.
 pub fn run(tally: &mut Tally) -> Result<Value> {
-    let ready: Vec<Ready> = BOARDS
-        .iter()
-        .filter_map(|(name, _)| {
-            let board = board::find(name).map_err(Problem::from);
-            let ready = board.and_then(|board| Target::Board(board).prepare());
-            tally.need(&format!("growth on {name}"), ready)
-        })
-        .collect();
+    let ready = measure::boards(&BOARDS.map(|(name, _)| name), "growth", tally);
     let scenes = scenes()?;
     let counts = parallel::map(&scenes, |grown| {
         let (_, baked) = grown.bake()?;
@@ -248,11 +236,7 @@ pub fn markdown(figures: &Value) -> String {
 
 /// Writes the tables into docs/performance.md, and the plot beside it.
 pub fn write(figures: &Value) -> Result<()> {
-    let path = paths::root().join("docs/performance.md");
-    let fail = |error| format!("{}: {error}", path.display());
-    let text = fs::read_to_string(&path).map_err(fail)?;
-    let text = readme::replaced(&text, "scaling", &markdown(figures))?;
-    fixel_output::write(&path, text.as_bytes())?;
+    readme::replace("docs/performance.md", "scaling", &markdown(figures))?;
     draw(figures)
 }
 

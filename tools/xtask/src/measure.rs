@@ -10,6 +10,7 @@ use serde::Deserialize;
 use crate::board::{self, BOARDS, Board};
 use crate::firmware::{self, HostProfile};
 use crate::problem::{Problem, Result};
+use crate::report::Tally;
 use crate::scene::Baked;
 use crate::{child, emulator};
 
@@ -85,6 +86,16 @@ impl Target {
             program,
         })
     }
+}
+
+/// The boards of these names, ready; one that cannot be is counted as missing.
+pub fn boards(names: &[&str], what: &str, tally: &mut Tally) -> Vec<Ready> {
+    let ready = names.iter().filter_map(|name| {
+        let board = board::find(name).map_err(Problem::from);
+        let ready = board.and_then(|board| Target::Board(board).prepare());
+        tally.need(&format!("{what} on {name}"), ready)
+    });
+    ready.collect()
 }
 
 /// A target with its program built.

@@ -15,9 +15,6 @@ pub fn run() -> Result<()> {
     let bench = bench::run(&mut tally, &[])?;
     let footprint = footprint::run(&mut tally)?;
     let accuracy = accuracy::run(&mut tally, None)?;
-    let path = paths::root().join("README.md");
-    let fail = |error| format!("{}: {error}", path.display());
-    let mut text = fs::read_to_string(&path).map_err(fail)?;
     let parts = [
         ("summary", summary(&bench, &footprint, &accuracy)),
         ("bench", bench::markdown(&bench)),
@@ -25,15 +22,22 @@ pub fn run() -> Result<()> {
         ("footprint", footprint::markdown(&footprint)),
     ];
     for (name, part) in parts {
-        text = replaced(&text, name, &part)?;
+        replace("README.md", name, &part)?;
     }
-    fixel_output::write(&path, text.as_bytes())?;
     eprintln!("{}", tally.summary());
     tally.result()
 }
 
+/// Writes a part of a page anew, between the comments that name it.
+pub fn replace(page: &str, name: &str, part: &str) -> Result<()> {
+    let path = paths::root().join(page);
+    let text = fs::read_to_string(&path).map_err(|error| format!("{page}: {error}"))?;
+    let text = replaced(&text, name, part)?;
+    Ok(fixel_output::write(&path, text.as_bytes())?)
+}
+
 /// The text with what stands between a part's comments replaced.
-pub fn replaced(text: &str, name: &str, part: &str) -> Result<String> {
+fn replaced(text: &str, name: &str, part: &str) -> Result<String> {
     let (begin, end) = (
         format!("<!-- {name} -->"),
         format!("<!-- end of {name} -->"),

@@ -10,7 +10,7 @@ use crate::board::{self, Board};
 use crate::measure::{ONE_BAND, Target};
 use crate::problem::Result;
 use crate::report::{Tally, table};
-use crate::{paths, scaling_levels, scene};
+use crate::{scaling_levels, scene};
 
 /// Boards that are measured.
 pub const BOARDS: [&str; 2] = ["cortex-m4f", "cortex-m0plus"];
@@ -20,7 +20,7 @@ const SIZES: [[u32; 2]; 5] = [[25, 20], [50, 40], [100, 50], [150, 100], [250, 2
 const PICTURE: &str = "r1_bunny_rays";
 /// The frame that is drawn.
 const FRAME: u32 = 2;
-/// Most that ten times the triangles take, over what the tenth takes.
+/// Most that a larger mesh takes, over what the smaller one that it is compared with takes.
 const MOST: f64 = 2.0;
 
 /// Draws every size on both boards. Gives `{"board": [{"triangles": n, "scene_bytes": n,
@@ -32,7 +32,8 @@ pub fn run(tally: &mut Tally) -> Result<Value> {
         let rows = on(board::find(name)?, tally)?;
         for (fewer, more) in [(0, 2), (2, 4)] {
             let what = format!("ten times the triangles on {name}");
-            tally.check(&what, grows_slowly(&rows[fewer], &rows[more]));
+            let grown = grows_slowly([&rows[fewer], &rows[more]], a_ray, "instructions a ray");
+            tally.check(&what, grown);
         }
         all.insert(name.into(), rows.into());
     }
@@ -47,11 +48,8 @@ fn on(board: &'static Board, tally: &mut Tally) -> Result<Vec<Value>> {
         let mut shown = fixel_scene::load(&scene::file(PICTURE)).map_err(|e| e.to_string())?;
         show(&mut shown, ring(size, 0.06));
         let triangles = shown.meshes[0].triangles.len();
-        let path = paths::work("scenes")?.join(format!("ring_{triangles}.fxl"));
         let blob = fixel_bake::bake_for_rays(&shown).map_err(|e| e.to_string())?;
-        let bytes = blob.bytes().len() as u64;
-        fixel_output::write(&path, blob.bytes())?;
-        let baked = scene::Baked { path, bytes };
+        let baked = scene::Baked::keep("scenes", &format!("ring_{triangles}"), &blob)?;
         let frames = ready.frames(&baked, FRAME..FRAME + 1, ONE_BAND, None);
         let what = format!("{triangles} triangles on {}", board.name);
         let Some(frames) = tally.check(&what, frames) else {
@@ -60,7 +58,7 @@ fn on(board: &'static Board, tally: &mut Tally) -> Result<Vec<Value>> {
         };
         rows.push(json!({
             "triangles": triangles,
-            "scene_bytes": bytes,
+            "scene_bytes": baked.bytes,
             "rays": u64::from(frames[0].width) * u64::from(frames[0].height),
             "instructions": frames[0].count,
         }));
@@ -113,13 +111,19 @@ fn a_ray(row: &Value) -> Option<f64> {
     Some(row["instructions"].as_f64()? / row["rays"].as_f64()?)
 }
 
-fn grows_slowly(fewer: &Value, more: &Value) -> Result<()> {
-    let (Some(less), Some(now)) = (a_ray(fewer), a_ray(more)) else {
+/// Holds the rows of two meshes, the smaller first, to [`MOST`]: what `taken` says of each,
+/// in `unit`.
+pub fn grows_slowly(
+    [fewer, more]: [&Value; 2],
+    taken: impl Fn(&Value) -> Option<f64>,
+    unit: &str,
+) -> Result<()> {
+    let (Some(less), Some(now)) = (taken(fewer), taken(more)) else {
         return Err("it was not drawn".into());
     };
     if now > MOST * less {
         return Err(format!(
-            "{now:.0} instructions a ray with {} triangles, {less:.0} with {}",
+            "{now:.0} {unit} with {} triangles, {less:.0} with {}",
             more["triangles"], fewer["triangles"]
         )
         .into());
@@ -154,9 +158,10 @@ mod tests {
     #[test]
     fn growth_is_found() {
         let row = |instructions: u64| json!({ "rays": 10, "instructions": instructions });
-        assert!(grows_slowly(&row(1000), &row(1900)).is_ok());
-        assert!(grows_slowly(&row(1000), &row(2100)).is_err());
-        assert!(grows_slowly(&row(1000), &json!({})).is_err());
+        let grows = |more: Value| grows_slowly([&row(1000), &more], a_ray, "instructions a ray");
+        assert!(grows(row(1900)).is_ok());
+        assert!(grows(row(2100)).is_err());
+        assert!(grows(json!({})).is_err());
     }
 
     #[test]

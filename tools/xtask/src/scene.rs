@@ -93,6 +93,16 @@ pub struct Baked {
     pub bytes: u64,
 }
 
+impl Baked {
+    /// Writes a blob into a folder of the work folder.
+    pub fn keep(folder: &str, name: &str, blob: &fixel_bake::Baked) -> Result<Self> {
+        let path = paths::work(folder)?.join(format!("{name}.fxl"));
+        fixel_output::write(&path, blob.bytes())?;
+        let bytes = blob.bytes().len() as u64;
+        Ok(Self { path, bytes })
+    }
+}
+
 /// Bakes a scene into the work folder.
 pub fn bake(name: &str) -> Result<Baked> {
     let source = file(name);
