@@ -23,7 +23,7 @@ const FIGURES: u32 = 6;
 
 /// Where the panel is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct PanelPlace {
     /// Its pixels in the window.
     pub rect: Rect,
     /// Window pixels that a panel pixel takes.
@@ -67,7 +67,7 @@ pub fn fitting(panel: [u32; 2], scale: u32, size: [u32; 2], figures: bool) -> u3
 }
 
 /// Where the panel is in a window.
-pub fn place(state: &State, look: &Look) -> Place {
+pub fn place(state: &State, look: &Look) -> PanelPlace {
     let panel = state.size();
     let figures = state.figures();
     let zoom = look
@@ -79,7 +79,7 @@ pub fn place(state: &State, look: &Look) -> Place {
         let room = i64::from(look.size[axis]) - i64::from(around) - i64::from(panel[axis] * zoom);
         side + (room / 2).max(0) as i32
     };
-    Place {
+    PanelPlace {
         rect: Rect {
             x: middle(0, across),
             y: middle(1, down),
@@ -123,7 +123,7 @@ pub fn draw(state: &State, picture: Option<&Picture>, look: &Look) -> Canvas {
 }
 
 /// What is not sent yet is dark; a line marks the band that is drawn.
-fn beam(canvas: &mut Canvas, place: &Place, bands: u32) {
+fn beam(canvas: &mut Canvas, place: &PanelPlace, bands: u32) {
     let Rect {
         x,
         y,

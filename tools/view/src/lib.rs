@@ -71,9 +71,16 @@ pub fn run(options: Options, load: Loader) -> Result<(), String> {
         Some(path) => script::read(path)?,
         None => Vec::new(),
     };
+    let start = view::Start {
+        state,
+        load,
+        path: options.path,
+        zoom: options.zoom,
+        steps,
+    };
     if options.window {
-        window::run(state, load, options.path, options.zoom, steps)
+        window::run(start)
     } else {
-        script::run(state, load, options.path, options.zoom, steps)
+        script::run(start)
     }
 }

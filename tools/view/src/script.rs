@@ -21,9 +21,8 @@ use std::time::Duration;
 
 use crate::frame::{self, Look};
 use crate::keys;
-use crate::source::Loader;
-use crate::state::{Button, Event, State};
-use crate::view::{Going, View};
+use crate::state::{Button, Event};
+use crate::view::{Going, Start, View};
 
 /// A line of a script.
 #[derive(Debug)]
@@ -93,22 +92,17 @@ fn step(line: &str) -> Option<Step> {
 ///
 /// # Errors
 /// If a picture cannot be written.
-pub fn run(
-    state: State,
-    load: Loader,
-    path: PathBuf,
-    zoom: Option<u32>,
-    steps: Vec<Step>,
-) -> Result<(), String> {
+pub fn run(start: Start) -> Result<(), String> {
     let (to, replies) = mpsc::channel();
     // Nobody listens any more when the script is at its end.
     let reply = move |reply| drop(to.send(reply));
+    let zoom = start.zoom;
     let mut look = Look {
-        size: frame::wanted(state.size(), 1, zoom.unwrap_or(2)),
+        size: frame::wanted(start.state.size(), 1, zoom.unwrap_or(2)),
         scale: 1,
         zoom,
     };
-    let mut view = View::new(state, load, path, steps, reply);
+    let mut view = View::new(start, reply);
     loop {
         match view.go_on(&look)? {
             Some(Going::Ends) | None => return Ok(()),

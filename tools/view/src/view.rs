@@ -16,6 +16,20 @@ use crate::worker::{Reply, Worker};
 /// Seconds between looks at the files.
 const LOOK: f64 = 0.15;
 
+/// What a view begins with.
+pub struct Start {
+    /// What the user sees first.
+    pub state: State,
+    /// How the file is loaded anew.
+    pub load: Loader,
+    /// The file.
+    pub path: PathBuf,
+    /// Window pixels that a panel pixel takes; none: as many as fit.
+    pub zoom: Option<u32>,
+    /// The script, if there is one.
+    pub steps: Vec<Step>,
+}
+
 /// All but the window.
 pub struct View {
     /// What the user sees.
@@ -44,13 +58,14 @@ pub enum Going {
 
 impl View {
     /// Begins to draw; `reply` gets to [`View::receive`] what the worker says.
-    pub fn new(
-        mut state: State,
-        load: Loader,
-        path: PathBuf,
-        steps: Vec<Step>,
-        reply: impl Fn(Reply) + Send + 'static,
-    ) -> Self {
+    pub fn new(start: Start, reply: impl Fn(Reply) + Send + 'static) -> Self {
+        let Start {
+            mut state,
+            load,
+            path,
+            steps,
+            ..
+        } = start;
         if !steps.is_empty() {
             // What is tested does not hang on time.
             state.pause();

@@ -1,7 +1,6 @@
 //! The window: winit's events in, softbuffer's pixels out.
 
 use std::num::NonZeroU32;
-use std::path::PathBuf;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
@@ -15,10 +14,8 @@ use winit::window::{Window, WindowId};
 
 use crate::frame::{self, Look};
 use crate::keys::Key;
-use crate::script::Step;
-use crate::source::Loader;
-use crate::state::{Button, Event, State};
-use crate::view::{Going, View};
+use crate::state::{Button, Event};
+use crate::view::{Going, Start, View};
 use crate::worker::Reply;
 
 /// Between two pictures of what moves, and between looks at what does not.
@@ -33,13 +30,7 @@ const SCROLL: f64 = 60.0;
 ///
 /// # Errors
 /// If there is no display, or a script's picture cannot be written.
-pub fn run(
-    state: State,
-    load: Loader,
-    path: PathBuf,
-    zoom: Option<u32>,
-    steps: Vec<Step>,
-) -> Result<(), String> {
+pub fn run(start: Start) -> Result<(), String> {
     let no_display = |error: &dyn std::fmt::Display| {
         format!("no window can be opened: {error}; expected a display (X11 or Wayland on Linux)")
     };
@@ -51,9 +42,9 @@ pub fn run(
     // Nobody listens any more when the window is closed.
     let reply = move |reply| drop(proxy.send_event(reply));
     let mut app = App {
-        view: View::new(state, load, path, steps, reply),
+        zoom: start.zoom,
+        view: View::new(start, reply),
         context,
-        zoom,
         shown: None,
         shift: false,
         button: None,

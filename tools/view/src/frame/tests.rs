@@ -32,7 +32,7 @@ fn the_panel_is_enlarged_pixel_for_pixel() {
             scale,
             zoom: None,
         };
-        let Place { rect, zoom } = place(&state, &look);
+        let PanelPlace { rect, zoom } = place(&state, &look);
         let canvas = draw(&state, Some(&picture), &look);
         for (i, pixel) in picture.rgb.iter().enumerate() {
             let (x, y) = (i as u32 % picture.width, i as u32 / picture.width);
@@ -80,12 +80,12 @@ fn errors_help_and_bands_are_seen() {
     assert!(differs(&state));
     // It leaves the panel alone.
     let with_error = draw(&state, Some(&picture), &look);
-    let Place { rect, .. } = place(&state, &look);
+    let PanelPlace { rect, .. } = place(&state, &look);
     let above = ((rect.y as u32 + rect.height) * look.size[0]) as usize;
     assert_eq!(with_error.pixels[..above], plain.pixels[..above]);
     // Without a picture there is the panel, dark.
     let dark = draw(&state, None, &look);
-    let Place { rect, .. } = place(&state, &look);
+    let PanelPlace { rect, .. } = place(&state, &look);
     let middle = (rect.y as u32 + rect.height / 2) * dark.width + rect.x as u32 + 5;
     assert_eq!(dark.pixels[middle as usize], SCREEN);
 }
