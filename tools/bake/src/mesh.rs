@@ -14,7 +14,7 @@ use crate::instance::Instance;
 use crate::light_error::wrong_share;
 use crate::meshlet::clusters;
 use crate::simplify::Level;
-use crate::snap::{place, snap};
+use crate::snap::{place_key, snap};
 use crate::{BakeError, Problem, coordinates, facing, normal};
 
 /// A mesh of so many triangles may take 4 bytes more a vertex to be exact to 22
@@ -173,7 +173,7 @@ impl Parts {
         for (group, shifts) in groups.iter().zip(&shifts).filter(|_| !shape.fine) {
             for vertex in &group.vertices {
                 let corner = shape.positions[*vertex as usize];
-                let held = coarsest.entry(place(&corner)).or_default();
+                let held = coarsest.entry(place_key(&corner)).or_default();
                 *held = [0, 1, 2].map(|axis| held[axis].max(shifts[axis]));
             }
         }
@@ -407,7 +407,7 @@ impl Shape {
 /// For each vertex the first one at the same place.
 fn weld(positions: &[DVec3]) -> Vec<u32> {
     let mut first = HashMap::new();
-    let number = |(i, p): (usize, &DVec3)| *first.entry(place(p)).or_insert(i as u32);
+    let number = |(i, p): (usize, &DVec3)| *first.entry(place_key(p)).or_insert(i as u32);
     positions.iter().enumerate().map(number).collect()
 }
 

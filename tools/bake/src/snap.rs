@@ -23,17 +23,20 @@ pub(crate) fn snap(
     positions: &[DVec3],
     triangles: &[[u32; 3]],
     grid: &Grid,
-    shifts: &HashMap<Place, Shifts>,
+    shifts: &HashMap<PlaceKey, Shifts>,
 ) -> Vec<IVec3> {
     let quadrics = quadrics(positions, triangles);
     positions
         .iter()
         .map(|p| {
             let exact = grid.steps(*p);
-            let steps = shifts.get(&place(p)).copied().unwrap_or_default();
+            let steps = shifts.get(&place_key(p)).copied().unwrap_or_default();
             let step = DVec3::from(steps.map(|s| f64::from(1u32 << s)));
             let nearest = (exact / step).round() * step;
-            let quadric = quadrics.get(&place(p)).copied().unwrap_or(DMat3::IDENTITY);
+            let quadric = quadrics
+                .get(&place_key(p))
+                .copied()
+                .unwrap_or(DMat3::IDENTITY);
             let cost = |candidate: DVec3| {
                 let off = candidate - exact;
                 off.dot(quadric * off)
@@ -49,10 +52,10 @@ pub(crate) fn snap(
         .collect()
 }
 
-/// The place that vertices share, whatever else they differ in.
-pub(crate) type Place = [u64; 3];
+/// The bits of a place, as a key: vertices share it, whatever else they differ in.
+pub(crate) type PlaceKey = [u64; 3];
 
-pub(crate) fn place(p: &DVec3) -> Place {
+pub(crate) fn place_key(p: &DVec3) -> PlaceKey {
     // Adding 0 makes -0 and 0 one place.
     p.to_array().map(|c| (c + 0.0).to_bits())
 }
@@ -68,9 +71,14 @@ fn neighbours(nearest: DVec3, step: DVec3) -> impl Iterator<Item = DVec3> {
 }
 
 /// For each place, what being off it costs.
-fn quadrics(positions: &[DVec3], triangles: &[[u32; 3]]) -> HashMap<Place, DMat3> {
-    let mut borders: HashMap<[Place; 2], i32> = HashMap::new();
-    let ends = |a: u32, b: u32| [place(&positions[a as usize]), place(&positions[b as usize])];
+fn quadrics(positions: &[DVec3], triangles: &[[u32; 3]]) -> HashMap<PlaceKey, DMat3> {
+    let mut borders: HashMap<[PlaceKey; 2], i32> = HashMap::new();
+    let ends = |a: u32, b: u32| {
+        [
+            place_key(&positions[a as usize]),
+            place_key(&positions[b as usize]),
+        ]
+    };
     for [a, b, c] in triangles {
         for (from, to) in [(*a, *b), (*b, *c), (*c, *a)] {
             let [p, q] = ends(from, to);
@@ -79,8 +87,8 @@ fn quadrics(positions: &[DVec3], triangles: &[[u32; 3]]) -> HashMap<Place, DMat3
             *borders.entry(key).or_default() += way;
         }
     }
-    let mut quadrics: HashMap<Place, DMat3> = HashMap::new();
-    let mut add = |at: Place, normal: DVec3, weight: f64| {
+    let mut quadrics: HashMap<PlaceKey, DMat3> = HashMap::new();
+    let mut add = |at: PlaceKey, normal: DVec3, weight: f64| {
         let plane = DMat3::from_cols(normal * normal.x, normal * normal.y, normal * normal.z);
         *quadrics.entry(at).or_insert(DMat3::ZERO) +=
             (plane + DMat3::from_diagonal(DVec3::splat(SLIDE))) * weight;
@@ -90,8 +98,8 @@ fn quadrics(positions: &[DVec3], triangles: &[[u32; 3]]) -> HashMap<Place, DMat3
         for i in 0..3 {
             let [p, q, r] = [corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3]];
             let normal = (q - p).cross(r - p).normalize_or_zero();
-            add(place(&p), normal, (q - p).angle_between(r - p));
-            let [from, to] = [place(&p), place(&q)];
+            add(place_key(&p), normal, (q - p).angle_between(r - p));
+            let [from, to] = [place_key(&p), place_key(&q)];
             let key = if from < to { [from, to] } else { [to, from] };
             if borders.get(&key) != Some(&0) {
                 // The rim of an open surface is seen as an outline from all

@@ -30,6 +30,7 @@ mod render;
 mod report;
 mod shadow;
 mod texture;
+mod through;
 mod trace;
 mod track;
 mod truth;

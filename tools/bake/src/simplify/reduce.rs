@@ -10,7 +10,7 @@ use super::collapse::Collapser;
 use super::distance::Surroundings;
 use super::surface::Surface;
 use crate::error::{BakeError, Problem};
-use crate::snap::{Place, place};
+use crate::snap::{PlaceKey, place_key};
 
 /// What became of a mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,8 +88,8 @@ fn level(sizes: &[usize], most: usize) -> usize {
 
 /// The sides of all triangles, each once.
 fn edges(mesh: &Mesh) -> Vec<[u32; 2]> {
-    let at = |v: u32| place(&DVec3::from(mesh.positions[v as usize]));
-    let mut seen: HashSet<[Place; 2]> = HashSet::new();
+    let at = |v: u32| place_key(&DVec3::from(mesh.positions[v as usize]));
+    let mut seen: HashSet<[PlaceKey; 2]> = HashSet::new();
     let sides = mesh
         .triangles
         .iter()

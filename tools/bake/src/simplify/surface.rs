@@ -7,7 +7,7 @@ use fixel_scene::Mesh;
 use glam::DVec3;
 
 use super::quadric::{ATTRIBUTES, Fit, Quadric};
-use crate::snap::place;
+use crate::snap::place_key;
 
 /// How much a feature (a border, a seam) is held to its line, over how much a face is to
 /// its plane.
@@ -96,7 +96,7 @@ impl Surface {
         let number: Vec<[u32; 2]> = (0..given.len())
             .map(|v| {
                 let next = places.len() as u32;
-                let at = *places.entry(place(&given[v])).or_insert(next);
+                let at = *places.entry(place_key(&given[v])).or_insert(next);
                 if at == next {
                     surface.positions.push((given[v] - middle) * scale);
                 }
