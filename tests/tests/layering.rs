@@ -18,7 +18,7 @@ const ALLOWED: [(&str, &[&str]); 16] = [
     ("raster", &["frame", "math", "vertex"]),
     ("fog", &["frame", "math", "scene", "view"]),
     ("shade", &["light", "math", "raster", "scene"]),
-    ("palette", &["frame"]),
+    ("palette", &[]),
     ("display", &["frame", "math", "palette", "scene"]),
     (
         "immediate",
@@ -33,6 +33,9 @@ const ALLOWED: [(&str, &[&str]); 16] = [
         ],
     ),
 ];
+
+/// Knows all stages.
+const TOP: &str = "render";
 
 /// Modules that a source text names by `crate::`, tests and docs aside.
 fn imports(text: &str) -> Vec<String> {
@@ -75,6 +78,11 @@ fn modules_import_only_those_before_them() {
         let mut files = Vec::new();
         sources(&src.join(module), &mut files);
         assert!(!files.is_empty(), "src/{module} is empty");
+        let used: Vec<String> = files.iter().flat_map(|(_, text)| imports(text)).collect();
+        let unused = allowed
+            .iter()
+            .filter(|name| !used.iter().any(|u| u == *name));
+        wrong.extend(unused.map(|name| format!("{module} no longer imports {name}")));
         for (path, text) in files {
             let outside = imports(&text)
                 .into_iter()
@@ -83,6 +91,21 @@ fn modules_import_only_those_before_them() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn every_module_is_listed() {
+    let entries = fs::read_dir(fixel_tests::root().join("src")).expect("the core");
+    let folders = entries.map(|entry| entry.expect("an entry").path());
+    let mut names: Vec<String> = folders
+        .filter(|path| path.is_dir())
+        .filter_map(|path| Some(path.file_name()?.to_str()?.to_owned()))
+        .collect();
+    names.sort();
+    let mut listed: Vec<&str> = ALLOWED.iter().map(|(module, _)| *module).collect();
+    listed.push(TOP);
+    listed.sort_unstable();
+    assert_eq!(names, listed);
 }
 
 #[test]
