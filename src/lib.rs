@@ -88,6 +88,7 @@
 #![cfg_attr(
     test,
     allow(
+        clippy::disallowed_methods,
         clippy::unwrap_used,
         clippy::indexing_slicing,
         clippy::float_arithmetic,

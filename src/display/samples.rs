@@ -65,7 +65,8 @@ impl<'a> Samples<'a> {
             self.sums.fill(0);
         }
         if self.output.stereo == Stereo::Anaglyph {
-            let (left, right) = indices.split_at(indices.len() / 2);
+            let halves = indices.split_at_checked(indices.len() / 2);
+            let (left, right) = halves.unwrap_or_default();
             add(self.sums, &self.table, left, across, RED);
             add(self.sums, &self.table, right, across, !RED);
         } else {

@@ -34,10 +34,10 @@ impl Rgb444Table {
     /// room for.
     pub fn pack(&self, indices: &[u8], bytes: &mut [u8]) -> usize {
         let mut used = 0;
-        for (pixels, bytes) in indices.chunks(2).zip(bytes.chunks_exact_mut(3)) {
+        for (pixels, bytes) in indices.chunks(2).zip(bytes.as_chunks_mut::<3>().0) {
             let mut two = pixels.iter().map(|index| self.colour(*index));
             let (a, b) = (two.next().unwrap_or(0), two.next().unwrap_or(0));
-            bytes.copy_from_slice(&[(a >> 4) as u8, (a << 4 | b >> 8) as u8, b as u8]);
+            *bytes = [(a >> 4) as u8, (a << 4 | b >> 8) as u8, b as u8];
             used += if pixels.len() == 2 { 3 } else { 2 };
         }
         used

@@ -95,8 +95,13 @@ impl Rgb565Table {
         let count = indices.len().min(pixels.len());
         let indices = indices.get(..count).unwrap_or_default();
         let (before, words, after) = bytemuck::pod_align_to::<u8, u32>(indices);
-        let (first, rest) = pixels.split_at_mut(before.len().min(count));
-        let (middle, last) = rest.split_at_mut((4 * words.len()).min(rest.len()));
+        // The three have `count` indices together, so that both are there.
+        let Some((first, rest)) = pixels.split_at_mut_checked(before.len()) else {
+            return;
+        };
+        let Some((middle, last)) = rest.split_at_mut_checked(4 * words.len()) else {
+            return;
+        };
         self.one_by_one(before, first);
         match bytemuck::try_cast_slice_mut(middle) {
             Ok(middle) => self.by_words(words, middle),

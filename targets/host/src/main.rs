@@ -74,6 +74,7 @@ fn run() -> Result<(), String> {
     let blob = bytemuck::cast_slice_mut::<u32, u8>(&mut words)
         .get_mut(..bytes.len())
         .ok_or("the buffer is too short")?;
+    #[expect(clippy::disallowed_methods, reason = "it has as many bytes")]
     blob.copy_from_slice(&bytes);
     let picture = match arguments.next() {
         Some(path) => Some(File::create(&path).map_err(|error| format!("{path}: {error}"))?),
