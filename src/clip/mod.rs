@@ -1,6 +1,6 @@
 //! Triangles that cross a plane. In: three [`ClipVertex`] and the planes of an
 //! [`ActorView`]. Out: the polygon that is left, projected. Used by `render`
-//! for the few triangles whose vertices carry an outcode.
+//! and `immediate` for the few triangles whose vertices carry an outcode.
 //!
 //! Sutherland and Hodgman, "Reentrant polygon clipping" (1974), in clip space,
 //! against near, far and the four sides of the range of screen positions. What

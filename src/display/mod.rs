@@ -1,5 +1,5 @@
 //! Where finished rows go. In: [`BandRows`] and the palette. Out: a panel's
-//! pixels. Used by `render`, implemented by applications.
+//! pixels. Used by `render` and `ray`, implemented by applications.
 
 mod changed;
 mod dither;

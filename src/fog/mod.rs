@@ -1,7 +1,7 @@
 //! Fog over finished pixels. In: the depths and indices of a
 //! [`Target`], a view, and the scene's table of fogged
 //! indices. Out: the indices, fogged. Used by `render` between a viewport's opaque
-//! triangles and what lies over it.
+//! triangles and what lies over it, and by `ray` after a pass.
 //!
 //! By then each pixel is decided, so that fog costs one look-up a pixel, however
 //! often it was drawn over and whatever it was shaded by. A pixel's depth says how

@@ -1,8 +1,8 @@
 //! The whole light model at one point of a surface: coloured lights, places,
 //! cones, highlights. In: the scene's lights and an actor's
 //! [`ActorView`](crate::view::ActorView). Out: [`Channels`](crate::scene::Channels)
-//! summed to a light level or a colour. Used by `vertex` (at vertices) and `render`
-//! (at faces and pixels). Grey lights without a place go by
+//! summed to a light level or a colour. Used by `vertex` (at vertices), `render`
+//! (at faces), `shade` (at pixels), `immediate` and `ray` (in the world). Grey lights without a place go by
 //! [`ModelLights`](crate::view::ModelLights), which is faster.
 
 mod model;

@@ -1,6 +1,6 @@
 //! Lines and marks. In: [`ScreenVertex`](crate::vertex::ScreenVertex), and what
 //! to draw there. Out: indices and depths in a [`Target`](crate::frame::Target).
-//! Used by `render`.
+//! Used by `render` and `immediate`.
 //!
 //! **Which pixels a line has.** The diamond rule of OpenGL and Direct3D, in exact
 //! integers. Along the line's longer extent (x if both are the same) it has one

@@ -1,6 +1,6 @@
 //! What the pixels of a surface look like. In: a [`Run`](crate::raster::Run) of
 //! pixels with their attributes. Out: light, level or colour, and the palette index
-//! for it. Used by `render`.
+//! for it. Used by `render`, `immediate` and `ray`.
 
 mod lookup;
 mod strip;

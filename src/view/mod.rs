@@ -1,7 +1,7 @@
 //! The way from an actor's grid to clip space. In: a [`Pose`](crate::scene::Pose)
 //! and the screen's size. Out: [`ViewFrame`] once a frame and [`ActorView`] once
 //! an actor, with everything that later stages need of camera and lights.
-//! Used by `cull`, `vertex`, `clip`.
+//! Used by all that draws in space: `cull` to `clip`, `light`, `fog`, `immediate`, `ray`.
 
 mod actor_view;
 mod depth_map;
