@@ -20,13 +20,13 @@ use crate::vertex::ScreenVertex;
 /// When in a viewport something is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Pass {
-    /// Faces that show the background: before anything else, so that it is there.
+    /// Faces of hidden-line actors, in the background's colour: their depth hides edges.
     Hidden,
     /// Surfaces.
     Surface,
     /// Lines and marks that may be hidden.
     Tested,
-    /// Surfaces through which all that shows, far ones first.
+    /// Surfaces that mix with what is behind them, lines too: far ones first.
     Blended,
     /// Lines and marks over everything, in the order of actors.
     Over,

@@ -57,7 +57,7 @@ const CAPACITIES: [Capacity; 6] = [
     Capacity {
         what: "lights",
         most: 8,
-        message: "8",
+        message: "at most 8",
         scene: |count| {
             let light = |i| {
                 format!(
@@ -71,7 +71,7 @@ const CAPACITIES: [Capacity; 6] = [
     Capacity {
         what: "viewports",
         most: 8,
-        message: "8",
+        message: "at most 8",
         scene: |count| {
             let side = 1.0 / count as f64;
             let one = |i| {
@@ -101,7 +101,7 @@ const CAPACITIES: [Capacity; 6] = [
     Capacity {
         what: "letters of a text",
         most: 200,
-        message: "200",
+        message: "1..=200",
         scene: |count| {
             let letters = "a".repeat(count);
             format!("{CUBE}[[text]]\ntext = \"{letters}\"\nposition = [0, 0, 0]\n")
@@ -110,7 +110,7 @@ const CAPACITIES: [Capacity; 6] = [
     Capacity {
         what: "points of a line",
         most: 10_000,
-        message: "10000",
+        message: "at most 10000",
         scene: |count| {
             let point = |i| {
                 format!(

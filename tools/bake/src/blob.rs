@@ -4,7 +4,7 @@ use fixel::scene::layout::{CHECKED_FROM, HEADER_WORDS, LIGHTS, PREFIX_BYTES, SEC
 use fixel::scene::{Header, Mesh, Optics, Record, SceneError, Shape, checksum};
 use fixel_scene::{Actor, Element, Scene, Space};
 
-use crate::error::{BakeError, Problem};
+use crate::error::{BakeError, Problem, at_most};
 use crate::facing::cones;
 use crate::fog;
 use crate::instance::instances;
@@ -285,14 +285,6 @@ fn bake_with(scene: &Scene, rays: Option<&[Sample]>) -> Result<Baked, BakeError>
         words,
         sources: parts.sources,
     })
-}
-
-pub(crate) fn at_most(what: &'static str, found: usize, most: usize) -> Result<(), BakeError> {
-    if found <= most {
-        Ok(())
-    } else {
-        Err(Problem::TooMany { what, found, most }.into())
-    }
 }
 
 /// Header, section table and sections; then length and checksum.

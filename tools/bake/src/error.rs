@@ -132,3 +132,12 @@ fn short(value: f64) -> f64 {
 }
 
 impl std::error::Error for BakeError {}
+
+/// Refuses more of a thing than the blob has room for.
+pub(crate) fn at_most(what: &'static str, found: usize, most: usize) -> Result<(), BakeError> {
+    if found <= most {
+        Ok(())
+    } else {
+        Err(Problem::TooMany { what, found, most }.into())
+    }
+}

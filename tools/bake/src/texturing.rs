@@ -19,7 +19,7 @@ pub(crate) struct Texturing {
 
 impl Texturing {
     pub(crate) fn new(textures: &[Texture]) -> Result<Self, BakeError> {
-        crate::blob::at_most("textures", textures.len(), 255)?;
+        crate::error::at_most("textures", textures.len(), 255)?;
         let mut all = Self::default();
         let mut first = 0;
         for texture in textures {

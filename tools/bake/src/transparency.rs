@@ -4,7 +4,6 @@ use fixel::scene as core_scene;
 use fixel_scene::{Element, Material, Representation, Scene, Transparency};
 
 use crate::error::{BakeError, Problem};
-use crate::palette::blended;
 
 /// Thresholds of the screen-door pattern.
 const THRESHOLDS: usize = 64;
@@ -79,4 +78,9 @@ pub(crate) fn unbake(how: core_scene::Transparency) -> (f64, Transparency) {
             Transparency::ScreenDoor,
         ),
     }
+}
+
+/// Whether a material's colours are mixed with what is behind it.
+pub(crate) fn blended(material: &Material) -> bool {
+    material.opacity < 1.0 && material.transparency == Transparency::Blend
 }

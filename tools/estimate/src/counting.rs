@@ -12,6 +12,7 @@ use fixel::render::{Ids, Paint};
 use fixel::shade::{Blend, Lighting, Pixel};
 use fixel::vertex::ScreenVertex;
 
+use crate::capacity::ACTORS;
 use crate::kernel::{AtVertices, Kernel, Surface, Way};
 use crate::seen::{Front, Seen};
 use crate::span;
@@ -21,8 +22,6 @@ use crate::term::{Term, Work};
 const RUN_PX: f64 = 32.0;
 /// Pixels between levels that are divided by distance.
 const PERSPECTIVE_PX: f64 = 16.0;
-/// Actors whose matrices the measured firmware keeps.
-const ACTORS: usize = crate::frame::ACTORS;
 
 /// Draws as `paint` does, and counts.
 #[derive(Clone, Copy, Debug)]

@@ -6,7 +6,8 @@ use fixel::render::Scratch;
 use fixel::scene::Pose;
 
 use crate::board::Board;
-use crate::frame::{ACTORS, MESHLETS, SLOTS, work};
+use crate::capacity::{ACTORS, MESHLETS, SLOTS};
+use crate::frame::work;
 use crate::model::Model;
 use crate::parts::Parts;
 

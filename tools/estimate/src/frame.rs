@@ -6,20 +6,11 @@ use std::cell::RefCell;
 use fixel::frame::BandRows;
 use fixel::render::{Bands, Direct, FrameStats, Paint, Scratch, Shaded};
 use fixel::scene::{Pose, Projection, Representation};
-use fixel::{Band, Renderer, Scene};
+use fixel::{Band, Scene};
 
+use crate::capacity::{ACTORS, MESHLETS, SLOTS};
 use crate::counting::{Counter, Counting};
 use crate::term::{Term, Work};
-
-/// Meshlets that the measured firmware lists.
-pub(crate) const MESHLETS: usize = 64;
-/// Meshlets that it keeps transformed.
-pub(crate) const SLOTS: usize = 10;
-/// Actors whose matrices it keeps.
-pub(crate) const ACTORS: usize = 4;
-
-/// They are what a [`Renderer`] has if its application says nothing.
-const _: fn(Renderer<1, 1>) -> Renderer<1, 1, MESHLETS, SLOTS, ACTORS> = |same| same;
 
 /// The work of a frame of a scene, as `pose` has it, drawn by triangles as large as the scene says in bands
 /// of at most so many rows.

@@ -7,6 +7,7 @@
 //! which makes the coefficients.
 
 mod board;
+mod capacity;
 mod counting;
 mod estimate;
 mod frame;

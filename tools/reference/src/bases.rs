@@ -1,8 +1,8 @@
 //! The base colours of textures, and what light makes of them.
 
-use crate::frame::Path;
+use crate::hit::Hit;
 use crate::oklab::oklab;
-use crate::truth::Hit;
+use crate::path::Path;
 use fixel_scene::Rgb;
 use glam::DVec3;
 

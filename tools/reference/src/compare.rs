@@ -2,10 +2,11 @@
 
 use crate::bases::Lights;
 use crate::frame::{Frame, FrameError, NO_TRIANGLE};
+use crate::hit::Hit;
 use crate::metric::{Differences, Psnr, percent};
 use crate::report::{Mismatch, MismatchKind, Report};
 use crate::shadow;
-use crate::truth::{Hit, Truth};
+use crate::truth::Truth;
 
 /// Places in textures that repeat are known up to a multiple of so many texels.
 const PERIOD: f64 = 65536.0;

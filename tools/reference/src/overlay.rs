@@ -14,8 +14,8 @@
 use crate::bitmap::bitmap;
 use crate::fog::fog_part;
 use crate::geometry::Placing;
+use crate::hit::{Hit, Layer};
 use crate::light::Lit;
-use crate::truth::{Hit, Layer};
 use crate::view::View;
 use crate::window::Window;
 use fixel_scene::{Fog, Look, Representation, Scene, Space};

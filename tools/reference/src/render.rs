@@ -3,11 +3,12 @@
 use crate::bvh::{Bvh, bounds};
 use crate::fog::{fog_part, fogged};
 use crate::geometry::{Face, Geometry};
+use crate::hit::{Hit, Layer};
 use crate::light::Lit;
 use crate::overlay;
 use crate::ray::Meeting;
 use crate::through::Through;
-use crate::truth::{Hit, Layer, Truth};
+use crate::truth::Truth;
 use crate::view::View;
 use crate::window::{Window, row_colour, sampled_size};
 use fixel_scene::Scene;

@@ -16,6 +16,7 @@ mod motion;
 mod panel;
 mod parts;
 mod picture;
+mod reach;
 mod texture;
 
 use std::path::Path;
@@ -26,8 +27,9 @@ pub use fence::Fenced;
 pub use files::{Disk, Files, InMemory};
 pub use loader::Loader;
 pub use look::*;
-pub use motion::{Moment, Reach};
+pub use motion::Moment;
 pub use panel::{DITHERINGS, Feed, PANELS, Panel, Screen};
+pub use reach::Reach;
 pub use texture::*;
 
 /// Reads a scene file (`.toml`), or a bare mesh (`.obj`, `.glb`, `.gltf`,

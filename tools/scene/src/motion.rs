@@ -4,7 +4,6 @@
 use glam::{DMat4, DVec3};
 
 use crate::description::{Actor, Animation, Camera, Projection, Quantity, Scene, Target, Track};
-use crate::framing::{Bounds, clipping_range_of};
 
 /// Angles of a turntable at which its bounds are looked at. The box of a
 /// turning box between two of them is larger by less than 1 in 1000.
@@ -73,7 +72,8 @@ fn value(track: &Track, frame: f64) -> [f64; 3] {
     std::array::from_fn(|i| from.value[i] + (to.value[i] - from.value[i]) * part)
 }
 
-fn tracks(animation: &Animation, target: Target) -> impl Iterator<Item = &Track> {
+/// The tracks that move something.
+pub(crate) fn tracks(animation: &Animation, target: Target) -> impl Iterator<Item = &Track> {
     animation
         .tracks
         .iter()
@@ -183,53 +183,6 @@ fn camera_at(camera: &Camera, animation: &Animation, target: Target, frame: f64)
     tracks(animation, target).fold(*camera, |camera, track| {
         moved(camera, track.quantity, value(track, frame))
     })
-}
-
-/// How far everything gets in all frames.
-#[derive(Clone, Debug)]
-pub struct Reach {
-    /// Centre and radius of a sphere around each actor.
-    pub actors: Vec<([f64; 3], f64)>,
-    /// Where the eye is; and what it looks at, if key frames move it.
-    pub views: Vec<[f64; 3]>,
-}
-
-impl Reach {
-    /// Of a scene.
-    pub fn of(scene: &Scene) -> Self {
-        let bounds = Bounds::of(&scene.actors, &scene.meshes, &scene.animation);
-        let sphere = |(centre, radius): &(DVec3, f64)| (centre.to_array(), *radius);
-        let own = scene.viewports.iter().enumerate();
-        let own = own.filter_map(|(number, viewport)| {
-            Some((Target::Viewport(number), viewport.camera.as_ref()?))
-        });
-        let mut views = Vec::new();
-        for (target, camera) in [(Target::Camera, &scene.camera)].into_iter().chain(own) {
-            views.push(camera.position);
-            if tracks(&scene.animation, target).next().is_some() {
-                let cameras = cameras(camera, &scene.animation, target);
-                let both = |camera: Camera| [camera.position, camera.focal_point];
-                views.push(camera.focal_point);
-                views.extend(cameras.into_iter().flat_map(both));
-            }
-        }
-        Self {
-            actors: bounds.spheres().iter().map(sphere).collect(),
-            views,
-        }
-    }
-}
-
-impl Reach {
-    /// A clipping range for a camera that somebody moves by hand: before and behind
-    /// all that moves, as one is made for a scene file that has none.
-    pub fn clipping_range(&self, camera: &Camera) -> [f64; 2] {
-        let spheres = self
-            .actors
-            .iter()
-            .map(|(centre, r)| (DVec3::from(*centre), *r));
-        clipping_range_of(&[*camera], spheres)
-    }
 }
 
 /// Where everything is at one moment of the animation.

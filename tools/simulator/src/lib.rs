@@ -6,6 +6,7 @@
 
 mod boards;
 mod catalogue;
+mod eye;
 mod facts;
 mod requests;
 mod samples;

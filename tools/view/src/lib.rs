@@ -13,12 +13,14 @@
 mod camera;
 mod canvas;
 mod draw;
+mod event;
 mod false_colour;
 mod frame;
 mod keys;
 mod script;
 mod source;
 mod state;
+mod step;
 mod variant;
 mod view;
 mod watch;
@@ -68,7 +70,7 @@ pub fn run(options: Options, load: Loader) -> Result<(), String> {
     }
     state.choose_renderer(options.renderer);
     let steps = match &options.script {
-        Some(path) => script::read(path)?,
+        Some(path) => step::read(path)?,
         None => Vec::new(),
     };
     let start = view::Start {

@@ -5,10 +5,11 @@ use std::path::PathBuf;
 
 use crate::canvas::Canvas;
 use crate::draw::Picture;
+use crate::event::{Effect, Event};
 use crate::frame::{self, Look};
-use crate::script::Step;
 use crate::source::Loader;
-use crate::state::{Effect, Event, State};
+use crate::state::State;
+use crate::step::Step;
 use crate::variant::Job;
 use crate::watch::Watch;
 use crate::worker::{Reply, Worker};

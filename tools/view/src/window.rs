@@ -12,9 +12,9 @@ use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, OwnedDisplayHan
 use winit::keyboard::{Key as WindowKey, NamedKey};
 use winit::window::{Window, WindowId};
 
+use crate::event::{Button, Event};
 use crate::frame::{self, Look};
 use crate::keys::Key;
-use crate::state::{Button, Event};
 use crate::view::{Going, Start, View};
 use crate::worker::Reply;
 

@@ -32,7 +32,6 @@ use fixel::scene::layout::FOG_ROWS;
 use nearest::{Nearest, lookup};
 use ramp::{Ramp, asked_for, deal};
 use way::Way;
-pub(crate) use way::blended;
 
 /// Rows of a gradient that get their own palette index.
 const GRADIENT_STEPS: usize = 256;

@@ -11,10 +11,10 @@ use super::background_colours;
 use super::choose::Sample;
 use super::light::{Lit, Point, lit};
 use super::through::{Piece, seen};
-use super::way::blended;
 use super::window::Window;
 use crate::fog::{factor, fogged};
 use crate::picture::Picture;
+use crate::transparency::blended;
 
 /// Samples of a whole picture, about so many.
 const SAMPLES: f64 = 8192.0;

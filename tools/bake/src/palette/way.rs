@@ -1,8 +1,9 @@
 //! Which of the two ways to a pixel a material goes.
 
-use fixel_scene::{Filter, Light, Material, Rgb, Scene, Transparency};
+use fixel_scene::{Filter, Light, Material, Rgb, Scene};
 
 use super::surface::brightest;
+use crate::transparency::blended;
 
 /// As much light is taken for full: 4 of 255 more.
 const FULL: f64 = 1.0 + 4.0 / 255.0;
@@ -63,11 +64,6 @@ impl Way {
                 || brightest(scene, material) <= FULL);
         if on_a_line { Self::Level } else { Self::Colour }
     }
-}
-
-/// Whether a material's colours are mixed with what is behind it.
-pub(crate) fn blended(material: &Material) -> bool {
-    material.opacity < 1.0 && material.transparency == Transparency::Blend
 }
 
 fn is_grey(light: &Light) -> bool {

@@ -156,7 +156,7 @@ fn triangles(parts: &mut Parts, mesh: usize, nodes: &mut Vec<Node>) -> Result<Sh
     let record = parts.meshes[mesh];
     let first = record.first_meshlet as usize;
     let count = record.meshlets as usize;
-    crate::blob::at_most("meshlets of a mesh that rays meet", count, 1 << 22)?;
+    crate::error::at_most("meshlets of a mesh that rays meet", count, 1 << 22)?;
     let mut items = Vec::new();
     for meshlet in 0..count {
         let own = parts.meshlets[first + meshlet];

@@ -1,7 +1,8 @@
 use super::*;
+use crate::event::{Button, Event};
 use crate::keys::Key;
 use crate::source::Source;
-use crate::state::{Button, Event, State};
+use crate::state::State;
 
 fn source(scene: &str) -> Arc<Source> {
     let path = format!("{}/../../scenes/{scene}.toml", env!("CARGO_MANIFEST_DIR"));

@@ -1,8 +1,8 @@
 use super::*;
 use crate::draw::Drawer;
+use crate::event::Event;
 use crate::keys::named;
 use crate::source::Source;
-use crate::state::Event;
 use std::sync::Arc;
 
 fn state() -> State {
