@@ -165,7 +165,10 @@ impl<'a, C: Stored> Target<'a, C> {
             {
                 pixels += stride;
             }
-            let (rows, rest) = below.split_at_mut(pixels.max(stride).min(below.len()));
+            let end = pixels.max(stride).min(below.len());
+            let Some((rows, rest)) = below.split_at_mut_checked(end) else {
+                break;
+            };
             fill(
                 rows.get_mut(..pixels).unwrap_or_default(),
                 index,
