@@ -18,7 +18,7 @@ use crate::{
 type Stage = (&'static str, fn(&mut Tally));
 
 /// In this order: what is quick and fails often comes first.
-const STAGES: [Stage; 17] = [
+const STAGES: [Stage; 20] = [
     ("format", format),
     ("lints", lints),
     ("supply", supply::run),
@@ -50,13 +50,9 @@ const STAGES: [Stage; 17] = [
         let result = soak::run(tally, 20_000, 500);
         tally.need("soak", result);
     }),
-];
-
-/// Run only if they are named: they have not been seen to pass as a whole on a clean machine.
-const BY_NAME: [Stage; 3] = [
-    ("package", package::run),
     ("examples", examples::run),
     ("template", template::run),
+    ("package", package::run),
 ];
 
 /// Crates in `targets/` that the host builds and tests.
@@ -70,21 +66,18 @@ const TARGET_CRATES: [&str; 10] = [
 
 /// The stages' names.
 pub fn names() -> Vec<&'static str> {
-    let all = STAGES.iter().chain(&BY_NAME);
-    all.map(|(name, _)| *name).collect()
+    STAGES.iter().map(|(name, _)| *name).collect()
 }
 
-/// Runs the stages named; if none is, all but those of [`BY_NAME`]. Prints `N passed, N failed,
-/// N skipped` as the last line on standard output.
+/// Runs the stages named, or all. Prints `N passed, N failed, N skipped` as the last line on
+/// standard output.
 pub fn run(only: &[String]) -> Result<()> {
     let mut all = Tally::default();
     let mut times = Vec::new();
-    let named = |name: &str| only.iter().any(|wanted| wanted == name);
-    let usual = STAGES
-        .into_iter()
-        .filter(|(name, _)| only.is_empty() || named(name));
-    let asked_for = BY_NAME.into_iter().filter(|(name, _)| named(name));
-    for (name, stage) in usual.chain(asked_for) {
+    for (name, stage) in STAGES {
+        if !only.is_empty() && !only.iter().any(|wanted| wanted == name) {
+            continue;
+        }
         eprintln!("\n=== {name}");
         let start = Instant::now();
         let mut tally = Tally::default();
