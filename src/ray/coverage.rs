@@ -116,15 +116,16 @@ pub(super) fn cover_places(
     let (mut u, u_across, u_down) = edge(bx, by, cx, cy, sa);
     let (mut v, v_across, v_down) = edge(cx, cy, ax, ay, sb);
     let (mut w, w_across, w_down) = edge(ax, ay, bx, by, sc);
-    let mut any = 0;
+    let mut any = false;
     let rows = bits.chunks_exact_mut(TILE).skip(top as usize);
     for row in rows.take((bottom - top + 1) as usize) {
         let (mut u_now, mut v_now, mut w_now) = (u, v, w);
         let pixels = row.iter_mut().skip(left as usize);
         for pixel in pixels.take((right - left + 1) as usize) {
-            let inside = !((u_now | v_now | w_now) >> 31) as u32;
-            any |= inside;
-            *pixel |= bit & inside;
+            if u_now | v_now | w_now >= 0 {
+                *pixel |= bit;
+                any = true;
+            }
             u_now += u_across;
             v_now += v_across;
             w_now += w_across;
@@ -133,7 +134,7 @@ pub(super) fn cover_places(
         v += v_down;
         w += w_down;
     }
-    any != 0
+    any
 }
 
 /// Sets a rectangle's bit in all pixels of a camera's tile that it may cover; its corners
@@ -189,6 +190,16 @@ pub(super) fn cover_bounds(bounds: &Rect, tile: &Rect, bits: &mut Bits, bit: u32
         }
     }
     left < right && top < bottom
+}
+
+/// The first and the last of a tile's columns or rows, of which there are `size`, whose middles are
+/// between two places, in `2^-FINE` pixels from the tile's middle; `None` if there is none.
+#[inline(always)]
+pub(super) fn pixels(low: i32, high: i32, size: i32) -> Option<[u32; 2]> {
+    let start = (1 - size) << (FINE - 1);
+    let first = (low.saturating_add((1 << FINE) - 1 - start) >> FINE).max(0);
+    let last = (high.saturating_sub(start) >> FINE).min(size - 1);
+    (first <= last).then_some([first as u32, last as u32])
 }
 
 fn all(bits: &mut Bits, bit: u32) -> bool {

@@ -1,83 +1,129 @@
-//! The triangles that a tile's rays may meet, gathered by one beam an actor.
+//! What a tile's rays may meet, gathered by one beam an actor: triangles, or where there are too
+//! many, parts of the mesh.
 
-use super::actor::Form;
+use super::actor::{Form, RayActor};
 use super::actors::RayActors;
-use super::beam::Beam;
+use super::beam::{Beam, TileRays};
 use super::camera::RayCamera;
 use super::coverage::{Bits, TILE, cover, cover_bounds, cover_rectangle};
-use super::hierarchy::Hierarchy;
+use super::hierarchy::{Hierarchy, Stack};
+use super::parts::Seen;
 use super::pause::Pause;
+use super::triangle::Corners;
 use crate::math::Rect;
-use crate::scene::Scene;
-use crate::scene::layout::RAY_STACK;
+use crate::scene::{Child, Leaf, Scene};
 
-/// Most triangles of a tile: one bit each.
+/// Most triangles or parts of a tile: one bit each.
 const MOST: usize = 32;
 
-/// A triangle that a ray may meet.
+/// What a ray may meet.
 #[derive(Clone, Copy, Debug)]
-struct Candidate {
-    meshlet: u32,
-    actor: u16,
-    triangle: u8,
+pub(super) struct Candidate {
+    /// Of a mesh, a node's word for it: a triangle, or triangles of a leaf, or a node.
+    pub word: u32,
+    pub seen: Seen,
+    pub actor: u16,
+}
+
+impl Candidate {
+    /// All of an actor.
+    const fn all_of(actor: u16) -> Self {
+        Self {
+            word: 0,
+            seen: Seen::EVERYWHERE,
+            actor,
+        }
+    }
+}
+
+/// How a tile's rays find what they meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Way {
+    /// Among what was gathered.
+    Gathered,
+    /// By quarters of the tile.
+    Divided,
+    /// One by one.
+    Alone,
 }
 
 /// What a tile's rays may meet.
 #[derive(Debug)]
 pub(super) struct Gathered {
     list: [Candidate; MOST],
+    /// Of triangles, their corners off the eye in the actor's grid: rays all start there.
+    corners: [Corners; MOST],
     bits: Bits,
     /// How many are in the list.
     count: usize,
+    /// They are parts of meshes, not triangles.
+    parts: bool,
     /// Of tiles and their quarters: how long they are not gathered where they have too many
     /// triangles.
     pauses: [Pause; 2],
 }
 
-/// What one pixel's ray may meet.
+/// What one pixel's ray may meet: an iterator over words.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Candidates<'a> {
-    list: &'a [Candidate; MOST],
+    /// `None`: all of an actor.
+    of: Option<&'a Gathered>,
     bits: u32,
 }
 
 impl Gathered {
     pub(super) const EMPTY: Self = Self {
-        list: [Candidate {
-            meshlet: 0,
-            actor: 0,
-            triangle: 0,
-        }; MOST],
+        list: [Candidate::all_of(0); MOST],
+        corners: [[[0; 3]; 3]; MOST],
         bits: [0; TILE * TILE],
         count: 0,
+        parts: false,
         pauses: [Pause::NONE; 2],
     };
 
-    /// The same as [`Gathered::gather`]; not tried where tiles of this `size` (a number in
-    /// `pauses`) had too many triangles lately. `left` is for what is left for later.
-    pub(super) fn gather_if_it_pays(
+    /// Gathers what the rays of a tile may meet of some actors, or says how to do without: whole
+    /// tiles (`divided` 0) or quarters (1) are not gathered by triangles where those had too
+    /// many lately. `left` is for what is left for later.
+    pub(super) fn find(
         &mut self,
         scene: &Scene<'_>,
         actors: &mut RayActors<'_>,
         view: (u16, &RayCamera),
         listed: &[u16],
-        (tile, size): (&Rect, usize),
-        left: &mut [u32; RAY_STACK],
-    ) -> bool {
-        let pause = self.pauses.get_mut(size);
-        if let Some(pause) = pause
-            && !pause.is_over()
-        {
-            pause.pass();
-            return false;
-        }
-        let gathered = self.gather(scene, actors, view, listed, (tile, left));
-        if let Some(pause) = self.pauses.get_mut(size) {
+        (tile, divided): (&Rect, usize),
+        left: &mut Stack,
+    ) -> Way {
+        let may_divide = divided == 0;
+        let [whole, quarters] = &mut self.pauses;
+        let quarters_pause = !quarters.is_over();
+        let pause = if may_divide { whole } else { &mut *quarters };
+        if pause.is_over() {
+            let gathered = self.gather(scene, actors, view, listed, (tile, left));
             // Fewer rays than triangles are better cast by themselves.
             let rays = usize::from(tile.width()) * usize::from(tile.height());
-            pause.tried(gathered && self.count <= rays);
+            // Of a tile that shows nothing nothing is learnt.
+            if let Some(pause) = self.pauses.get_mut(divided)
+                && !(gathered && self.count == 0)
+            {
+                pause.tried(gathered && self.count <= rays);
+            }
+            if gathered {
+                return Way::Gathered;
+            }
+        } else {
+            pause.pass();
         }
-        gathered
+        if may_divide && !quarters_pause {
+            return Way::Divided;
+        }
+        if may_divide && let [_, quarters] = &mut self.pauses {
+            quarters.pass();
+        }
+        if self.gather_parts(scene, actors, view, listed, tile) {
+            Way::Gathered
+        } else {
+            Way::Alone
+        }
     }
 
     /// Gathers what the rays of a perspective's tile may meet of some actors; `false` if
@@ -89,7 +135,7 @@ impl Gathered {
         actors: &mut RayActors<'_>,
         (viewport, camera): (u16, &RayCamera),
         listed: &[u16],
-        (tile, left): (&Rect, &mut [u32; RAY_STACK]),
+        (tile, left): (&Rect, &mut Stack),
     ) -> bool {
         let (Some(rays), Some(eye)) = (camera.tile(tile), camera.eye()) else {
             return false;
@@ -105,23 +151,13 @@ impl Gathered {
             let bit = 1u32.checked_shl(count as u32).unwrap_or(0);
             let first_node = match actor.form {
                 Form::Triangles { first_node } => first_node,
-                form => {
-                    let covers = match form {
-                        Form::Rectangle { half, .. } => {
-                            let sides = actor.rectangle_corners(half);
-                            cover_rectangle(&rays, eye, &sides, size, &mut self.bits, bit)
-                        }
-                        _ => cover_bounds(&bounds, tile, &mut self.bits, bit),
-                    };
-                    if covers {
+                _ => {
+                    let place = (tile, &rays, eye);
+                    if cover_exact(actor, &bounds, place, &mut self.bits, bit) {
                         let Some(slot) = self.list.get_mut(count) else {
                             return false;
                         };
-                        *slot = Candidate {
-                            meshlet: 0,
-                            actor: *number,
-                            triangle: 0,
-                        };
+                        *slot = Candidate::all_of(*number);
                         count += 1;
                     }
                     continue;
@@ -135,29 +171,94 @@ impl Gathered {
             let mesh = scene.mesh(actor.mesh);
             let tree = Hierarchy::new(scene, &mesh, first_node, None);
             let (list, bits) = (&mut self.list, &mut self.bits);
+            let places = &mut self.corners;
             let all = beam.walk(&tree, left, |leaf| {
-                for (triangle, corners) in tree.corners(leaf, &from) {
+                tree.each_triangle(leaf, &from, |triangle, corners| {
                     let bit = 1u32.checked_shl(count as u32).unwrap_or(0);
-                    if !cover(&beam, &corners, actor.faces, size, bits, bit) {
-                        continue;
+                    if !cover(&beam, corners, actor.faces, size, bits, bit) {
+                        return true;
                     }
-                    let Some(slot) = list.get_mut(count) else {
+                    let slots = list.get_mut(count).zip(places.get_mut(count));
+                    let Some((slot, place)) = slots else {
                         return false;
                     };
+                    *place = *corners;
+                    let only = Leaf {
+                        first: triangle,
+                        count: 1,
+                        ..leaf
+                    };
                     *slot = Candidate {
-                        meshlet: leaf.meshlet,
-                        actor: *number,
-                        triangle,
+                        word: u32::from_le(Child::Leaf(only).to_word()),
+                        ..Candidate::all_of(*number)
                     };
                     count += 1;
-                }
-                true
+                    true
+                })
             });
             if !all {
                 return false;
             }
         }
         self.count = count;
+        self.parts = false;
+        true
+    }
+
+    /// The same by parts of meshes, of which there are never too many.
+    #[inline(never)]
+    fn gather_parts(
+        &mut self,
+        scene: &Scene<'_>,
+        actors: &mut RayActors<'_>,
+        (viewport, camera): (u16, &RayCamera),
+        listed: &[u16],
+        tile: &Rect,
+    ) -> bool {
+        let (Some(rays), Some(eye)) = (camera.tile(tile), camera.eye()) else {
+            return false;
+        };
+        self.bits.fill(0);
+        let size = [tile.width(), tile.height()];
+        let mut count = 0;
+        // Each that follows has room for one.
+        let Some(mut room) = MOST.checked_sub(listed.len()) else {
+            return false;
+        };
+        for number in listed {
+            let bounds = actors.bounds(*number, viewport, camera);
+            let Some((actor, from)) = actors.seen(*number, viewport, camera) else {
+                return false;
+            };
+            let bit = 1u32.checked_shl(count as u32).unwrap_or(0);
+            let Form::Triangles { first_node } = actor.form else {
+                let place = (tile, &rays, eye);
+                if cover_exact(actor, &bounds, place, &mut self.bits, bit)
+                    && let Some(slot) = self.list.get_mut(count)
+                {
+                    *slot = Candidate::all_of(*number);
+                    count += 1;
+                }
+                continue;
+            };
+            let Some(&from) = from else { continue };
+            let Some(beam) = Beam::new(actor, from, &rays, size) else {
+                return false;
+            };
+            let mesh = scene.mesh(actor.mesh);
+            let tree = Hierarchy::new(scene, &mesh, first_node, None);
+            let list = self.list.get_mut(count..).unwrap_or_default();
+            let list = list.get_mut(..=room).unwrap_or_default();
+            let found = beam.parts(&tree, *number, size, list);
+            for part in list.iter().take(found) {
+                let bit = 1u32.checked_shl(count as u32).unwrap_or(0);
+                part.seen.cover(&mut self.bits, bit);
+                count += 1;
+            }
+            room = room.saturating_sub(found.saturating_sub(1));
+        }
+        self.count = count;
+        self.parts = true;
         true
     }
 
@@ -170,47 +271,91 @@ impl Gathered {
     /// What a pixel's ray may meet.
     pub(super) fn at(&self, pixel: usize) -> Candidates<'_> {
         Candidates {
-            list: &self.list,
+            of: Some(self),
             bits: self.bits.get(pixel).copied().unwrap_or(0),
         }
     }
 }
 
+/// Sets a bit in the pixels of a tile whose rays may meet a ball or a rectangle.
+fn cover_exact(
+    actor: &RayActor,
+    bounds: &Rect,
+    (tile, rays, eye): (&Rect, &TileRays, [i32; 3]),
+    bits: &mut Bits,
+    bit: u32,
+) -> bool {
+    match actor.form {
+        Form::Rectangle { half, .. } => {
+            let sides = actor.rectangle_corners(half);
+            let size = [tile.width(), tile.height()];
+            cover_rectangle(rays, eye, &sides, size, bits, bit)
+        }
+        _ => cover_bounds(bounds, tile, bits, bit),
+    }
+}
+
 impl<'a> Candidates<'a> {
+    /// All of an actor.
+    pub(super) const ALL: Self = Candidates { of: None, bits: 1 };
+
     /// Whether there is none.
     #[inline(always)]
     pub(super) fn is_empty(&self) -> bool {
         self.bits == 0
     }
 
-    /// The next actor, which then is not here any more.
+    /// The next actor and what is of it, which then is not here any more.
     #[inline(always)]
-    pub(super) fn next_actor(&mut self) -> Option<u16> {
-        let mut first = None;
-        while self.bits != 0 {
-            let found = self.list.get(self.bits.trailing_zeros() as usize)?;
-            if *first.get_or_insert(found.actor) != found.actor {
-                break;
-            }
-            self.bits &= self.bits - 1;
+    pub(super) fn next_actor(&mut self) -> Option<(u16, Self)> {
+        let list = &self.of?.list;
+        let actor = list.get(self.bits.trailing_zeros() as usize)?.actor;
+        let all = self.bits;
+        self.bits &= self.bits.wrapping_sub(1);
+        while let Some(found) = list.get(self.bits.trailing_zeros() as usize)
+            && found.actor == actor
+        {
+            self.bits &= self.bits.wrapping_sub(1);
         }
-        first
+        let own = Candidates {
+            of: self.of,
+            bits: all ^ self.bits,
+        };
+        Some((actor, own))
     }
 
-    /// The triangles of an actor: meshlet, and number in it.
+    /// Whether these are triangles whose corners are known.
     #[inline(always)]
-    pub(super) fn of(self, actor: u16) -> impl Iterator<Item = (u32, u8)> + 'a {
+    pub(super) fn are_triangles(&self) -> bool {
+        self.of.is_some_and(|gathered| !gathered.parts)
+    }
+
+    /// Words and corners of triangles.
+    #[inline(always)]
+    pub(super) fn triangles(self) -> impl Iterator<Item = (u32, &'a Corners)> {
         let mut bits = self.bits;
-        let list = self.list;
         core::iter::from_fn(move || {
-            while bits != 0 {
-                let found = list.get(bits.trailing_zeros() as usize)?;
-                bits &= bits - 1;
-                if found.actor == actor {
-                    return Some((found.meshlet, found.triangle));
-                }
-            }
-            None
+            let at = bits.trailing_zeros() as usize;
+            bits &= bits.wrapping_sub(1);
+            let gathered = self.of?;
+            Some((gathered.list.get(at)?.word, gathered.corners.get(at)?))
         })
+    }
+}
+
+impl Iterator for Candidates<'_> {
+    type Item = u32;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<u32> {
+        let at = self.bits.trailing_zeros() as usize;
+        if at >= MOST {
+            return None;
+        }
+        self.bits &= self.bits.wrapping_sub(1);
+        match self.of {
+            Some(gathered) => Some(gathered.list.get(at)?.word),
+            None => Some(0),
+        }
     }
 }

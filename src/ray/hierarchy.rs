@@ -6,6 +6,7 @@
 //! a box around something that is met is met.
 
 use super::box_test::{BoxTest, SLOPE_BITS};
+use super::gather::Candidates;
 use super::grid_ray::{AXES, GridRay};
 use super::leaves::{Wanted, Way};
 use super::triangle::{Faces, TriangleHit};
@@ -24,12 +25,19 @@ pub(super) struct Hierarchy<'a> {
     pub holes: Option<u8>,
 }
 
-/// What is left for later: a node's word for a child, and how far ahead its box is.
-#[derive(Clone, Copy)]
-struct Left {
-    word: u32,
+/// What is left for later: a node's word for a child, and how far ahead its box is, where that
+/// is asked for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Left {
+    pub word: u32,
     ahead: i32,
 }
+
+/// Memory for what a way leaves for later.
+pub(super) type Stack = [Left; RAY_STACK];
+
+/// Nothing is left.
+pub(super) const NOTHING_LEFT: Stack = [Left { word: 0, ahead: 0 }; RAY_STACK];
 
 impl<'a> Hierarchy<'a> {
     pub(super) fn new(
@@ -53,39 +61,48 @@ impl<'a> Hierarchy<'a> {
         self.nodes.get(number as usize)
     }
 
-    /// The nearest triangle that a ray meets within a range, in units of its third axis.
+    /// The nearest triangle that a ray meets within a range, in units of its third axis, of what
+    /// is in some parts of the hierarchy. `left` is memory for what is left for later.
     #[inline(never)]
     pub(super) fn nearest(
         &self,
         ray: &GridRay,
         faces: Faces,
         range: (i32, i32),
+        parts: Candidates<'_>,
+        left: &mut Stack,
     ) -> Option<TriangleHit> {
+        let way = Way::new(faces, range);
         match ray.axes {
-            [.., 0] => self.along::<0>(ray, faces, range).nearest,
-            [.., 1] => self.along::<1>(ray, faces, range).nearest,
-            _ => self.along::<2>(ray, faces, range).nearest,
+            [.., 0] => self.along::<0>(ray, way, parts, left),
+            [.., 1] => self.along::<1>(ray, way, parts, left),
+            _ => self.along::<2>(ray, way, parts, left),
         }
     }
 
     /// Whether a ray meets any triangle.
     #[inline(never)]
-    pub(super) fn any(&self, ray: &GridRay, range: (i32, i32)) -> bool {
-        self.count_up_to(ray, range, Wanted::Any) != 0
+    pub(super) fn any(&self, ray: &GridRay, range: (i32, i32), left: &mut Stack) -> bool {
+        self.count_up_to(ray, range, Wanted::Any, left) != 0
     }
 
     /// How many triangles a ray meets.
     #[inline(never)]
-    pub(super) fn count(&self, ray: &GridRay, range: (i32, i32)) -> u32 {
-        self.count_up_to(ray, range, Wanted::Count)
+    pub(super) fn count(&self, ray: &GridRay, range: (i32, i32), left: &mut Stack) -> u32 {
+        self.count_up_to(ray, range, Wanted::Count, left)
     }
 
     /// How many triangles a ray meets, or whether any: in no order.
     #[inline(always)]
-    fn count_up_to(&self, ray: &GridRay, range: (i32, i32), wanted: Wanted) -> u32 {
+    fn count_up_to(
+        &self,
+        ray: &GridRay,
+        range: (i32, i32),
+        wanted: Wanted,
+        left: &mut Stack,
+    ) -> u32 {
         let mut way = Way::new(Faces::BOTH, range);
-        let mut left = [0; RAY_STACK];
-        self.walk_window(ray, [0; 2], range, &mut left, |leaf| {
+        self.walk_window(ray, [0; 2], range, left, |leaf| {
             self.leaf(ray, leaf, wanted, &mut way);
             wanted != Wanted::Any || way.count == 0
         });
@@ -95,38 +112,46 @@ impl<'a> Hierarchy<'a> {
     /// The way of a ray whose third axis is known to the compiler, which then knows
     /// where everything is.
     #[inline(always)]
-    fn along<const THIRD: usize>(&self, ray: &GridRay, faces: Faces, range: (i32, i32)) -> Way {
+    fn along<const THIRD: usize>(
+        &self,
+        ray: &GridRay,
+        way: Way,
+        parts: Candidates<'_>,
+        left: &mut Stack,
+    ) -> Option<TriangleHit> {
         let axes = AXES.get(THIRD).copied().unwrap_or(ray.axes);
-        self.walk(&GridRay { axes, ..*ray }, faces, range)
+        self.walk(&GridRay { axes, ..*ray }, way, parts, left)
     }
 
     /// The way to the nearest triangle.
     #[inline(always)]
-    fn walk(&self, ray: &GridRay, faces: Faces, range: (i32, i32)) -> Way {
-        let mut way = Way::new(faces, range);
-        let mut left = [Left { word: 0, ahead: 0 }; RAY_STACK];
-        let mut count = 0usize;
-        let mut word = 0u32;
-        loop {
-            if word >> 31 == 0 {
-                let first = count;
-                self.node((ray, [0; 2]), word, way.range, |word, ahead| {
-                    count = leave(&mut left, first, count, Left { word, ahead });
-                });
-            } else if let Child::Leaf(leaf) = Child::from_word(word.to_le()) {
-                self.leaf(ray, leaf, Wanted::Nearest, &mut way);
-            }
-            // What comes after the nearest triangle so far is not looked at.
-            word = loop {
-                let Some(next) = count.checked_sub(1).and_then(|last| left.get(last)) else {
-                    return way;
-                };
-                count -= 1;
-                if next.ahead <= way.range.1 {
-                    break next.word;
+    fn walk(
+        &self,
+        ray: &GridRay,
+        mut way: Way,
+        parts: Candidates<'_>,
+        left: &mut Stack,
+    ) -> Option<TriangleHit> {
+        for part in parts {
+            let (mut count, mut word) = (0, part);
+            loop {
+                if word >> 31 == 0 {
+                    let first = count;
+                    self.node((ray, [0; 2]), word, way.range, |word, ahead| {
+                        count = leave(left, first, count, Left { word, ahead });
+                    });
+                } else if let Child::Leaf(leaf) = Child::from_word(word.to_le()) {
+                    self.leaf(ray, leaf, Wanted::Nearest, &mut way);
                 }
-            };
+                // What comes after the nearest triangle so far is not looked at.
+                let farthest = way.range.1;
+                let Some(next) = next_of(left, &mut count, farthest) else {
+                    break;
+                };
+                word = next;
+            }
         }
+        way.nearest
     }
 
     /// Goes through all leaves that parallel rays may meet, which are up to `thick` to the
@@ -138,7 +163,7 @@ impl<'a> Hierarchy<'a> {
         ray: &GridRay,
         thick: [i32; 2],
         range: (i32, i32),
-        left: &mut [u32; RAY_STACK],
+        left: &mut Stack,
         mut leaf: impl FnMut(Leaf) -> bool,
     ) -> bool {
         let (mut count, mut word) = (0, 0);
@@ -147,7 +172,7 @@ impl<'a> Hierarchy<'a> {
                 self.node((ray, thick), word, range, |word, _| {
                     // The parser made sure that there is room.
                     if let Some(slot) = left.get_mut(count) {
-                        *slot = word;
+                        slot.word = word;
                         count += 1;
                     }
                 });
@@ -160,7 +185,7 @@ impl<'a> Hierarchy<'a> {
                 return true;
             };
             count -= 1;
-            word = *next;
+            word = next.word;
         }
     }
 
@@ -184,11 +209,13 @@ impl<'a> Hierarchy<'a> {
         let [sx, sy] = ray.slopes;
         let x = (nx >> 1).wrapping_sub(mul_high(sx, nz));
         let y = (ny >> 1).wrapping_sub(mul_high(sy, nz));
-        // Of the bytes of all four boxes, the lower and the upper sides along an axis.
-        let [s0, s1, s2, s3, s4, s5, c0, c1, c2, c3] = *rest;
-        let sides = [[s0, s1], [s2, s3], [s4, s5]].map(|pair| pair.map(u32::from_le));
+        let Some((sides, children)) = rest.split_first_chunk::<6>() else {
+            return;
+        };
+        // Of all four boxes, the lower and the upper sides along an axis.
+        let [s0, s1, s2, s3, s4, s5]: &[[u8; 4]; 6] = bytemuck::cast_ref(sides);
+        let sides = [[s0, s1], [s2, s3], [s4, s5]];
         let [[x_low, x_high], [y_low, y_high], [z_low, z_high]] = ray.in_order(sides);
-        let children = [c0, c1, c2, c3].map(u32::from_le);
 
         // A node is 255 units wide at most, and as wide again by its depth times a slope
         // of 1: farther off than 512 units it is missed.
@@ -200,7 +227,13 @@ impl<'a> Hierarchy<'a> {
             (c.wrapping_add(reach) as u32) > 2 * reach as u32
         };
         let [thick_x, thick_y] = thick;
-        if !small && (missed(x, thick_x) || missed(y, thick_y)) {
+        if small {
+            // Too small to tell: all of it.
+            let some = children.iter().take_while(|word| **word != 0);
+            some.for_each(|word| met(u32::from_le(*word), i32::MIN));
+            return;
+        }
+        if missed(x, thick_x) || missed(y, thick_y) {
             return;
         }
         let down = exponent - 1 - SLOPE_BITS as i32;
@@ -250,50 +283,51 @@ impl<'a> Hierarchy<'a> {
             )
         };
         let (from, to) = (from - 1, to + 1);
-        // Of the third axis' sides the one that brings a box's side towards the ray.
-        let (x_first, x_second) = if sx >= 0 {
-            (z_high, z_low)
-        } else {
-            (z_low, z_high)
-        };
-        let (y_first, y_second) = if sy >= 0 {
-            (z_high, z_low)
-        } else {
-            (z_low, z_high)
-        };
         let test = BoxTest {
-            x: [x_low, x_first, x_high, x_second],
-            y: [y_low, y_first, y_high, y_second],
+            x: [x_low, x_high],
+            y: [y_low, y_high],
             z: [z_low, z_high],
-            at: [x, y],
+            twice: [x << 1, y << 1],
             slopes: [sx, sy],
-            margins: [margin_x, margin_y],
+            steep: [sx.abs(), sy.abs()],
+            margins: [margin_x << 1, margin_y << 1],
             range: (from, to),
-            small,
         };
-        for child in 0..4u32 {
-            let word = children.get(child as usize).copied().unwrap_or(0);
+        // How far ahead a box is: its side that is met first.
+        let (unit, base) = if ray.up {
+            (1 << exponent, nz)
+        } else {
+            (-1 << exponent, nz.wrapping_neg())
+        };
+        for (child, word) in children.iter().enumerate() {
+            let word = u32::from_le(*word);
             if word == 0 {
                 break;
             }
-            let Some((low, high)) = test.meets(8 * child) else {
+            let Some((low, high)) = test.meets(child) else {
                 continue;
             };
-            let ahead = if small {
-                i32::MIN
-            } else if ray.up {
-                nz.saturating_add(low << exponent)
-            } else {
-                nz.saturating_add(high << exponent).saturating_neg()
-            };
-            met(word, ahead);
+            let side = if ray.up { low } else { high };
+            met(word, base.wrapping_add(side.wrapping_mul(unit)));
+        }
+    }
+}
+
+/// Takes back what was left last, if it is not beyond `farthest`.
+#[inline(always)]
+fn next_of(left: &Stack, count: &mut usize, farthest: i32) -> Option<u32> {
+    loop {
+        let next = left.get(count.checked_sub(1)?)?;
+        *count -= 1;
+        if next.ahead <= farthest {
+            return Some(next.word);
         }
     }
 }
 
 /// Adds what is left for later to what a node has left since `first`, the nearest last.
 #[inline(always)]
-fn leave(left: &mut [Left; RAY_STACK], first: usize, count: usize, new: Left) -> usize {
+fn leave(left: &mut Stack, first: usize, count: usize, new: Left) -> usize {
     // The parser made sure that there is room.
     let mut at = count.min(RAY_STACK - 1);
     let end = at + 1;

@@ -211,8 +211,8 @@ impl Shadows<'_, '_> {
             light: number as u8,
             source: lit.source,
         };
-        let window = directional.then_some((&mut *self.windows, parallel));
-        passes(self.scene, self.actors, &ray, between, window)
+        let windows = (&mut *self.windows, directional.then_some(parallel));
+        passes(self.scene, self.actors, &ray, between, windows)
     }
 }
 
@@ -245,7 +245,7 @@ fn passes(
     actors: &mut RayActors<'_>,
     ray: &Ray,
     mut between: Candidates,
-    mut windows: Option<(&mut Windows, Parallel)>,
+    (windows, parallel): (&mut Windows, Option<Parallel>),
 ) -> u32 {
     let mut through = 1u32 << 16;
     while let Some((number, _)) = between.next() {
@@ -261,10 +261,7 @@ fn passes(
             continue;
         }
         let left = (1u32 << 16).saturating_sub(actor.optics.opacity);
-        let window = windows
-            .as_mut()
-            .map(|(windows, parallel)| (&mut **windows, *parallel));
-        for _ in 0..actor.in_the_way(scene, ray, window) {
+        for _ in 0..actor.in_the_way(scene, ray, (windows, parallel)) {
             through = ((through >> 1) * (left >> 1)) >> 14;
             if through == 0 {
                 return 0;

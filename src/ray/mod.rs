@@ -21,6 +21,7 @@ mod holes;
 mod leaves;
 mod light;
 mod nearest;
+mod parts;
 mod pause;
 mod progressive;
 #[expect(clippy::module_inception, reason = "that is what it has")]
@@ -34,6 +35,7 @@ mod surface;
 mod tile;
 mod trace;
 mod triangle;
+mod window;
 mod window_space;
 mod windows;
 

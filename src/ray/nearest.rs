@@ -4,7 +4,7 @@ use super::actor::{Form, GridPlace, RayActor};
 use super::ball::BallHit;
 use super::gather::Candidates;
 use super::grid_ray::GridRay;
-use super::hierarchy::Hierarchy;
+use super::hierarchy::{Hierarchy, Stack};
 use super::ray::Ray;
 use super::rectangle::RectangleHit;
 use super::surface::{Need, Surface};
@@ -58,21 +58,21 @@ impl Met {
 
 impl RayActor {
     /// Where a ray first meets this actor, if that is nearer than what it met so far; `from`
-    /// is the ray's start in the actor's grid, `only` the triangles that it may meet, where
-    /// that is known.
+    /// is the ray's start in the actor's grid. Of a mesh, it is looked for in parts; with them is
+    /// memory for what is left for later.
     #[inline(always)]
     pub(super) fn meet(
         &self,
         scene: &Scene<'_>,
         ray: &Ray,
         from: Option<&GridPlace>,
-        only: Option<Candidates<'_>>,
+        parts: (Candidates<'_>, &mut Stack),
         best: &mut Met,
     ) {
         match self.form {
             Form::Triangles { first_node } => {
                 if let Some(from) = from {
-                    self.meet_triangle(scene, ray, (from, first_node), only, best);
+                    self.meet_triangle(scene, ray, (from, first_node), parts, best);
                 }
             }
             Form::Rectangle { half, .. } => {
@@ -103,23 +103,19 @@ impl RayActor {
         scene: &Scene<'_>,
         ray: &Ray,
         (from, first_node): (&GridPlace, u32),
-        only: Option<Candidates<'_>>,
+        (parts, left): (Candidates<'_>, &mut Stack),
         best: &mut Met,
     ) {
         let grid = GridRay::new(self, ray, from);
         let mesh = scene.mesh(self.mesh);
         let tree = Hierarchy::new(scene, &mesh, first_node, self.holes);
         let near = grid.units(self, ray.near);
-        let hit = match only {
-            Some(only) => {
-                let triangles = only.of(self.number);
-                // Of the nearest, what is too far is seen below.
-                tree.nearest_of(&grid, self.faces, (near, i32::MAX), triangles)
-            }
-            None => {
-                let range = (near, limit(&grid, self, best.distance));
-                tree.nearest(&grid, self.faces, range)
-            }
+        let hit = if parts.are_triangles() {
+            // Of the nearest, what is too far is seen below.
+            tree.nearest_of(&grid, self.faces, (near, i32::MAX), parts)
+        } else {
+            let range = (near, limit(&grid, self, best.distance));
+            tree.nearest(&grid, self.faces, range, parts, left)
         };
         let Some(hit) = hit else { return };
         let way = self.way(grid.along, grid.from.fraction);
@@ -151,7 +147,7 @@ impl RayActor {
         &self,
         scene: &Scene<'_>,
         ray: &Ray,
-        parallel: Option<(&mut Windows, Parallel)>,
+        (windows, parallel): (&mut Windows, Option<Parallel>),
     ) -> u32 {
         let first_node = match self.form {
             Form::Triangles { first_node } => first_node,
@@ -162,7 +158,7 @@ impl RayActor {
             _ => return self.count_ball(scene, ray),
         };
         let opaque = self.optics.opacity >= 1 << 16;
-        if opaque && let Some((windows, parallel)) = parallel {
+        if opaque && let Some(parallel) = parallel {
             return windows.any(self, scene, ray, parallel).into();
         }
         let mesh = scene.mesh(self.mesh);
@@ -173,9 +169,9 @@ impl RayActor {
         let grid = GridRay::new(self, ray, &from);
         let range = (0, grid.units(self, ray.far));
         if opaque {
-            tree.any(&grid, range).into()
+            tree.any(&grid, range, &mut windows.left).into()
         } else {
-            tree.count(&grid, range)
+            tree.count(&grid, range, &mut windows.left)
         }
     }
 

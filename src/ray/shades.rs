@@ -64,7 +64,7 @@ impl Shades {
         // A cell is less than twice as large.
         let size = size.max(lift.min(1 << 24) * 8) | 1;
         let least = actors.unit().shift();
-        let shift = (32 - leading_zeros(size)).clamp(least + 1, 31);
+        let shift = (32 - leading_zeros(size)).max(least + 1).min(31);
         let [x, y, z] = place.map(|c| c >> shift);
         let far = |c: i32| i32::from(c as i16) != c;
         if far(x) || far(y) || far(z) {

@@ -48,9 +48,9 @@ impl RayActor {
         let mesh = scene.mesh(self.mesh);
         let words = scene.meshlets_of(&mesh).get(hit.meshlet as usize)?;
         let meshlet = Meshlet::from_words(words);
-        let points = Points::new(scene, &mesh, meshlet);
+        let points = Points::new(scene, &mesh, meshlet, &grid.from);
         let corners = points.corners(hit.triangle);
-        let [a, b, c] = corners.map(|corner| points.off(grid, corner));
+        let [a, b, c] = corners.map(|corner| points.off(corner));
         let (ab, ac) = (minus(b, a), minus(c, a));
         let [second, third] = hit.weights;
         let mut off = a;

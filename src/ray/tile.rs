@@ -3,7 +3,7 @@
 use super::camera::RayCamera;
 use super::coverage;
 use super::frame::{RayStats, Seen, Watch};
-use super::gather::Gathered;
+use super::gather::{Gathered, Way};
 use super::light::Seed;
 use super::nearest::Met;
 use super::progressive::Pass;
@@ -126,16 +126,17 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
     ) -> bool {
         let shares = camera.eye().is_some() && !self.pass.is_sparse();
         let listed = self.listed.get(..count).filter(|_| shares);
-        let gathered = listed.is_some_and(|listed| {
+        let way = listed.map_or(Way::Alone, |listed| {
             let actors = &mut self.tracer.actors;
             let view = (self.viewport.number, camera);
             let (part, left) = ((tile, divided), &mut self.tracer.windows.left);
-            self.gathered
-                .gather_if_it_pays(self.tracer.scene, actors, view, listed, part, left)
+            let scene = self.tracer.scene;
+            self.gathered.find(scene, actors, view, listed, part, left)
         });
-        if !gathered && divided < LAST && listed.is_some() {
+        if way == Way::Divided {
             return false;
         }
+        let gathered = way == Way::Gathered;
         let drawn = (count, gathered);
         if self.parallel && self.tracer.windows.by_quarters() {
             for quarter in parts(tile, TILE / 2) {

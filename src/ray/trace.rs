@@ -157,7 +157,9 @@ impl Tracer<'_> {
                 None if !actor.is_exact() => actor.place(ray.origin),
                 _ => None,
             };
-            actor.meet(self.scene, ray, of_parallel.as_ref().or(from), None, best);
+            let from = of_parallel.as_ref().or(from);
+            let parts = (Candidates::ALL, &mut self.windows.left);
+            actor.meet(self.scene, ray, from, parts, best);
         }
     }
 
@@ -171,11 +173,12 @@ impl Tracer<'_> {
         best: &mut Met,
     ) {
         let mut left = only;
-        while let Some(number) = left.next_actor() {
+        while let Some((number, own)) = left.next_actor() {
             let Some((actor, from)) = self.actors.seen(number, viewport, camera) else {
                 break;
             };
-            actor.meet(self.scene, ray, from, Some(only), best);
+            let parts = (own, &mut self.windows.left);
+            actor.meet(self.scene, ray, from, parts, best);
         }
     }
 
@@ -192,7 +195,8 @@ impl Tracer<'_> {
             } else {
                 actor.place(ray.origin)
             };
-            actor.meet(self.scene, ray, from.as_ref(), None, best);
+            let parts = (Candidates::ALL, &mut self.windows.left);
+            actor.meet(self.scene, ray, from.as_ref(), parts, best);
         }
     }
 

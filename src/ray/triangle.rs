@@ -1,5 +1,6 @@
 //! A ray and a triangle.
 
+use super::actor::GridPlace;
 use super::grid_ray::GridRay;
 use crate::math::{mul_high, mul_high_u, product, reciprocal};
 use crate::scene::{Mesh, Meshlet, Scene};
@@ -42,23 +43,48 @@ impl Faces {
     };
 }
 
-/// A meshlet's vertices on the grid.
+/// A triangle's corners as they are off a place.
+pub(super) type Corners = [[i32; 3]; 3];
+
+/// A meshlet's vertices as they are off a place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Points<'a> {
     pub meshlet: Meshlet,
     vertices: &'a [[i16; 4]],
     fine: &'a [[u8; 4]],
     triangles: &'a [[u8; 3]],
+    /// The meshlet's base in the place's units, off it; if steps are finer than these, in steps
+    /// and not off it.
+    base: [i32; 3],
+    /// Left shifts of a vertex' components, and of their low bits.
+    shifts: [u32; 3],
+    left: u32,
+    /// Right shift to the place's units, where steps are finer, and the place.
+    right: u32,
+    from: [i32; 3],
 }
 
 impl<'a> Points<'a> {
     #[inline(always)]
-    pub(super) fn new(scene: &Scene<'a>, mesh: &Mesh, meshlet: Meshlet) -> Self {
+    pub(super) fn new(scene: &Scene<'a>, mesh: &Mesh, meshlet: Meshlet, from: &GridPlace) -> Self {
+        let left = from.fraction.max(0) as u32;
+        let right = from.fraction.wrapping_neg().clamp(0, 31) as u32;
+        let mut base = meshlet.base;
+        if right == 0 {
+            for (c, from) in base.iter_mut().zip(from.place) {
+                *c = c.wrapping_shl(left).wrapping_sub(from);
+            }
+        }
         Self {
             meshlet,
             vertices: scene.meshlet_vertices(&meshlet),
             fine: scene.meshlet_fine(&meshlet, mesh),
             triangles: scene.meshlet_triangles(&meshlet),
+            base,
+            shifts: meshlet.shifts.map(|shift| u32::from(shift) + left),
+            left,
+            right,
+            from: from.place,
         }
     }
 
@@ -69,29 +95,33 @@ impl<'a> Points<'a> {
         corners.unwrap_or_default().map(usize::from)
     }
 
-    /// A vertex's place, in grid steps.
+    /// A triangle as it is off the place.
     #[inline(always)]
-    pub(super) fn place(&self, number: usize) -> [i32; 3] {
-        let [x, y, z, _] = self.vertices.get(number).copied().unwrap_or_default();
-        let ([bx, by, bz], [sx, sy, sz]) = (self.meshlet.base, self.meshlet.shifts);
-        let along = |base: i32, own: i16, shift: u8| {
-            base.wrapping_add(i32::from(i16::from_le(own)).wrapping_shl(shift.into()))
-        };
-        let place = [along(bx, x, sx), along(by, y, sy), along(bz, z, sz)];
-        match self.fine.get(number) {
-            Some([fx, fy, fz, _]) => {
-                let [x, y, z] = place;
-                let [fx, fy, fz] = [*fx, *fy, *fz].map(i32::from);
-                [x.wrapping_add(fx), y.wrapping_add(fy), z.wrapping_add(fz)]
-            }
-            None => place,
-        }
+    pub(super) fn triangle(&self, number: u8) -> Corners {
+        let [a, b, c] = self.corners(number);
+        [self.off(a), self.off(b), self.off(c)]
     }
 
-    /// A vertex as it is off a ray's start.
+    /// A vertex as it is off the place, in its units.
     #[inline(always)]
-    pub(super) fn off(&self, ray: &GridRay, number: usize) -> [i32; 3] {
-        ray.off(self.place(number))
+    pub(super) fn off(&self, number: usize) -> [i32; 3] {
+        let [x, y, z, _] = self.vertices.get(number).copied().unwrap_or_default();
+        let ([bx, by, bz], [sx, sy, sz]) = (self.base, self.shifts);
+        let along = |base: i32, own: i16, shift: u32| {
+            base.wrapping_add(i32::from(i16::from_le(own)).wrapping_shl(shift))
+        };
+        let mut off = [along(bx, x, sx), along(by, y, sy), along(bz, z, sz)];
+        if let Some(fine) = self.fine.get(number) {
+            for (c, low) in off.iter_mut().zip(fine) {
+                *c = c.wrapping_add(i32::from(*low).wrapping_shl(self.left));
+            }
+        }
+        if self.right != 0 {
+            for (c, from) in off.iter_mut().zip(self.from) {
+                *c = (*c >> self.right).wrapping_sub(from);
+            }
+        }
+        off
     }
 }
 
@@ -100,13 +130,25 @@ impl<'a> Points<'a> {
 pub(super) fn meet(
     ray: &GridRay,
     points: &Points<'_>,
+    number: (u32, u8),
+    faces: Faces,
+    range: (i32, i32),
+) -> Option<TriangleHit> {
+    let (_, triangle) = number;
+    meet_corners(ray, &points.triangle(triangle), number, faces, range)
+}
+
+/// The same of a triangle whose corners are given as they are off the ray's start.
+#[inline(always)]
+pub(super) fn meet_corners(
+    ray: &GridRay,
+    corners: &Corners,
     (meshlet, triangle): (u32, u8),
     faces: Faces,
     (nearest, farthest): (i32, i32),
 ) -> Option<TriangleHit> {
-    let corners = points.corners(triangle);
     let [a, b, c] = corners;
-    let vertex = |corner: usize| ray.sheared(ray.in_order(points.off(ray, corner)));
+    let vertex = |corner: &[i32; 3]| ray.sheared(ray.in_order(*corner));
     let (a, b, c) = (vertex(a), vertex(b), vertex(c));
     let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (a, b, c);
     // All to one side of the ray.

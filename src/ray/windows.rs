@@ -3,68 +3,21 @@
 //! plane across the light, a mesh's triangles are gathered once. The exact test decides on
 //! a window's triangles as it does on those of the hierarchy.
 
-use super::actor::{GridPlace, RayActor};
-use super::coverage::{Bits, FINE, TILE, cover_places};
+use super::actor::RayActor;
 use super::grid_ray::GridRay;
-use super::hierarchy::Hierarchy;
+use super::hierarchy::{NOTHING_LEFT, Stack};
 use super::pause::Pause;
 use super::ray::{Ray, between};
-use super::triangle::Faces;
-use super::window_space::{CORNER_BITS, Space, Start};
-use crate::math::mul_high;
-use crate::scene::layout::RAY_STACK;
-use crate::scene::{Leaf, Scene};
+use super::window::{Key, NONE, Place, Window, any_alone};
+use super::window_space::{Space, Start};
+use crate::scene::Scene;
 
 /// Windows that are kept.
 const WINDOWS: usize = 2;
-/// Most triangles of a window: a bit each, in two words.
-const MOST: usize = 64;
 /// Rays that make a further window of a tile.
 const FIRST: u32 = 3;
 /// Places that a window is made of.
 const NOTES: usize = 6;
-/// The smallest half width and height of a window: what roundings take, some 12 units, is
-/// less than the margin of a cell, a 64th of this.
-const SMALLEST: i32 = 1 << 11;
-/// What roundings take along the rays.
-const ROUNDINGS: i32 = 64;
-/// A cell's places in a window, from its middle.
-const HALF_CELLS: i32 = (TILE as i32) << (FINE - 1);
-
-/// A triangle that rays may meet.
-#[derive(Clone, Copy, Debug)]
-struct Candidate {
-    /// Meshlet and number in it, 8 bits.
-    triangle: u32,
-    /// Rays that start farther on do not meet it.
-    farthest: i32,
-}
-
-/// An actor's and a light's number.
-type Key = (u16, u8);
-
-/// No actor's.
-const NONE: Key = (u16::MAX, u8::MAX);
-
-#[derive(Clone, Copy, Debug)]
-struct Window {
-    key: Key,
-    /// It has more triangles than there is room for.
-    full: bool,
-    space: Space,
-    middle: [i32; 2],
-    /// Half its sides.
-    half: [i32; 2],
-    /// From places across to cells, 2^32 is 1 cell's `2^-FINE`.
-    scale: [i32; 2],
-    /// Rays that start before this may meet others.
-    nearest: i32,
-    list: [Candidate; MOST],
-    /// A window's cells, 8 by 8: the triangles that a ray may meet there, first those of the
-    /// first half of the list.
-    bits: [Bits; 2],
-}
-
 /// A place that rays to lights start at, raw world bits, and the actor that it is on.
 type Note = (u16, [i32; 3]);
 
@@ -73,7 +26,7 @@ type Note = (u16, [i32; 3]);
 pub(super) struct Windows {
     all: [Window; WINDOWS],
     /// Boxes that are left for later while one is filled, or a tile's triangles are gathered.
-    pub left: [u32; RAY_STACK],
+    pub left: Stack,
     /// The one that is given up next.
     oldest: usize,
     /// Of this tile, places on what it shows.
@@ -100,21 +53,8 @@ pub(super) struct Parallel {
 impl Windows {
     /// All zero: [`Windows::clear`] says that nothing is there.
     pub(super) const EMPTY: Self = Self {
-        all: [Window {
-            key: (0, 0),
-            full: false,
-            space: Space::EMPTY,
-            middle: [0; 2],
-            half: [0; 2],
-            scale: [0; 2],
-            nearest: 0,
-            list: [Candidate {
-                triangle: 0,
-                farthest: 0,
-            }; MOST],
-            bits: [[0; TILE * TILE]; 2],
-        }; WINDOWS],
-        left: [0; RAY_STACK],
+        all: [Window::EMPTY; WINDOWS],
+        left: NOTHING_LEFT,
         oldest: 0,
         notes: [(0, [0; 3]); NOTES],
         noted: 0,
@@ -179,16 +119,18 @@ impl Windows {
                 && let Some(start) = window.space.start(off)
                 && window.holds(&start)
             {
-                return window.any(actor, scene, ray, &start);
+                return window.any(actor, scene, ray, &start, &mut self.left);
             }
         }
-        match self.make(actor, scene, ray, (key, parallel.source)) {
-            Some((window, start)) => window.any(actor, scene, ray, &start),
-            None => any_alone(actor, scene, ray),
+        let made = self.make(actor, scene, ray, (key, parallel.source));
+        let window = made.and_then(|(which, start)| Some((self.all.get(which)?, start)));
+        match window {
+            Some((window, start)) => window.any(actor, scene, ray, &start, &mut self.left),
+            None => any_alone(actor, scene, ray, &mut self.left),
         }
     }
 
-    /// A window for a ray that none holds, if it pays.
+    /// A window for a ray that none holds, by its number, if it pays.
     #[inline(never)]
     fn make(
         &mut self,
@@ -196,7 +138,7 @@ impl Windows {
         scene: &Scene<'_>,
         ray: &Ray,
         (key, source): (Key, Option<u16>),
-    ) -> Option<(&Window, Start)> {
+    ) -> Option<(usize, Start)> {
         let pays = self.pause().is_over();
         let source = source.filter(|_| pays)?;
         let noted = self.notes.iter().take(self.noted);
@@ -233,184 +175,6 @@ impl Windows {
         window.fill((actor, &tree), &place, &grid, &mut self.left);
         let full = window.full;
         self.pause().tried(!full);
-        self.all.get(which).map(|window| (window, start))
-    }
-}
-
-/// The same as [`Windows::any`] for a ray by itself.
-#[inline(never)]
-fn any_alone(actor: &RayActor, scene: &Scene<'_>, ray: &Ray) -> bool {
-    let mesh = scene.mesh(actor.mesh);
-    match (actor.hierarchy(scene, &mesh), actor.place(ray.origin)) {
-        (Some(tree), Some(from)) => tree.any(&GridRay::new(actor, ray, &from), (0, i32::MAX)),
-        _ => false,
-    }
-}
-
-/// What holds several starts.
-#[derive(Clone, Copy, Debug)]
-struct Place {
-    /// Across the rays.
-    low: [i32; 2],
-    high: [i32; 2],
-    /// Along them.
-    nearest: i32,
-}
-
-impl Place {
-    fn of(start: &Start) -> Self {
-        Self {
-            low: start.across,
-            high: start.across,
-            nearest: start.ahead,
-        }
-    }
-
-    fn add(&mut self, start: &Start) {
-        let sides = self.low.iter_mut().zip(&mut self.high);
-        for ((low, high), c) in sides.zip(start.across) {
-            *low = c.min(*low);
-            *high = c.max(*high);
-        }
-        self.nearest = self.nearest.min(start.ahead);
-    }
-}
-
-impl Window {
-    #[inline(always)]
-    fn holds(&self, start: &Start) -> bool {
-        let ([x, y], [mx, my], [hx, hy]) = (start.across, self.middle, self.half);
-        let inside = |c: i32, half: i32| (c + half) as u32 <= 2 * half as u32;
-        inside(x - mx, hx) && inside(y - my, hy) && start.ahead >= self.nearest
-    }
-
-    /// A place across the rays in cells, `FINE` fractional bits, from the middle.
-    #[inline(always)]
-    fn in_cells(&self, [x, y]: [i32; 2]) -> [i32; 2] {
-        let ([mx, my], [sx, sy]) = (self.middle, self.scale);
-        [mul_high(x - mx, sx), mul_high(y - my, sy)]
-    }
-
-    /// Gathers the triangles in the way of all rays that go where `ray` does and start
-    /// where the window is to be.
-    #[inline(never)]
-    fn fill(
-        &mut self,
-        (actor, tree): (&RayActor, &Hierarchy<'_>),
-        place: &Place,
-        ray: &GridRay,
-        left: &mut [u32; RAY_STACK],
-    ) {
-        self.bits.as_flattened_mut().fill(0);
-        let Place { low, high, nearest } = *place;
-        let mut most = 0;
-        for axis in [0, 1] {
-            let [low, high] = [low, high].map(|side| side.get(axis).copied().unwrap_or(0));
-            // A little more than its rays need, for those that follow.
-            let half = ((high - low) / 2 + (high - low) / 8).max(SMALLEST);
-            most = half.max(most);
-            let scale = (u32::MAX / (half as u32 >> 7)) as i32;
-            for (all, c) in [
-                (&mut self.middle, low + (high - low) / 2),
-                (&mut self.half, half),
-                (&mut self.scale, scale),
-            ] {
-                if let Some(slot) = all.get_mut(axis) {
-                    *slot = c;
-                }
-            }
-        }
-        self.nearest = nearest - most;
-        let before = self.nearest - ROUNDINGS;
-        let (through, thick, from) =
-            self.space
-                .thick_ray(actor, ray, (self.middle, self.half, before));
-        let size = [TILE as u16; 2];
-        let mut count = 0;
-        let corner_of = GridPlace {
-            place: [0; 3],
-            fraction: CORNER_BITS,
-        };
-        let all = tree.walk_window(&through, thick, (from, i32::MAX), left, |leaf: Leaf| {
-            for (triangle, corners) in tree.corners(leaf, &corner_of) {
-                let corners = corners.map(|corner| self.space.corner(ray, corner));
-                // What roundings of both may be off.
-                let ahead = corners.map(|corner| corner.ahead);
-                let farthest = ahead.into_iter().fold(i32::MIN, i32::max) + ROUNDINGS;
-                if farthest < before {
-                    continue;
-                }
-                let places = corners.map(|corner| self.in_cells(corner.across));
-                let [first, second] = &mut self.bits;
-                let bits = if count < 32 { first } else { second };
-                let bit = 1u32 << (count % 32);
-                // A whole cell, not its middle alone.
-                let around = 1 << (FINE - 1);
-                let cells = (size, around);
-                if !cover_places(&places, Faces::BOTH, cells, bits, bit) {
-                    continue;
-                }
-                let Some(slot) = self.list.get_mut(count) else {
-                    return false;
-                };
-                *slot = Candidate {
-                    triangle: leaf.meshlet << 8 | u32::from(triangle),
-                    farthest,
-                };
-                count += 1;
-            }
-            true
-        });
-        self.full = !all;
-    }
-
-    /// Whether a ray that starts in this window meets any triangle.
-    #[inline(always)]
-    fn any(&self, actor: &RayActor, scene: &Scene<'_>, ray: &Ray, start: &Start) -> bool {
-        if self.full {
-            return any_alone(actor, scene, ray);
-        }
-        let cell = |c: i32| (c + HALF_CELLS).clamp(0, 2 * HALF_CELLS - 1) as usize >> FINE;
-        let [x, y] = self.in_cells(start.across).map(cell);
-        let word = |bits: &Bits| bits.get(y * TILE + x).copied().unwrap_or(0);
-        let [first, second] = &self.bits;
-        let bits = u64::from(word(second)) << 32 | u64::from(word(first));
-        bits != 0 && self.any_of(bits, actor, scene, ray, start)
-    }
-
-    /// Whether it meets any of some triangles.
-    #[inline(never)]
-    fn any_of(
-        &self,
-        mut bits: u64,
-        actor: &RayActor,
-        scene: &Scene<'_>,
-        ray: &Ray,
-        start: &Start,
-    ) -> bool {
-        let mut candidates = core::iter::from_fn(|| {
-            while bits != 0 {
-                let found = self.list.get(bits.trailing_zeros() as usize)?;
-                bits &= bits - 1;
-                if found.farthest >= start.ahead {
-                    return Some((found.triangle >> 8, found.triangle as u8));
-                }
-            }
-            None
-        });
-        // Most have none that is not behind.
-        let Some(first) = candidates.next() else {
-            return false;
-        };
-        let Some(from) = actor.place(ray.origin) else {
-            return false;
-        };
-        let mesh = scene.mesh(actor.mesh);
-        let Some(tree) = actor.hierarchy(scene, &mesh) else {
-            return false;
-        };
-        let grid = GridRay::new(actor, ray, &from);
-        let candidates = core::iter::once(first).chain(candidates);
-        tree.any_of(&grid, (0, i32::MAX), candidates)
+        Some((which, start))
     }
 }
