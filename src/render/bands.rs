@@ -86,7 +86,7 @@ impl<'a, 'b, P: Paint> Bands<'a, 'b, P> {
             actors: Actors::new(scene, pose, (width, height), work.actors),
             entries: work.entries,
             whole: None,
-            cache: MeshletCache::new(work.slots),
+            cache: MeshletCache::new(scene, work.room, work.kept),
             band,
             rows,
             stats: FrameStats::default(),

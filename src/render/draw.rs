@@ -114,7 +114,7 @@ pub(super) struct Part<'a> {
     /// The meshlet's place in the scene's list.
     pub number: u32,
     pub meshlet: &'a Meshlet,
-    pub transformed: &'a TransformedMeshlet,
+    pub transformed: TransformedMeshlet<'a>,
     /// Whether none of its vertices has to be clipped.
     pub inside: bool,
     /// If it may have pixels below the band: where those have vertices.

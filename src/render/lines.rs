@@ -129,7 +129,7 @@ fn draw_points<P: Paint>(
     };
     stats.marks += u32::from(part.meshlet.vertices);
     for number in 0..part.meshlet.vertices {
-        let point = corner(part.transformed, number);
+        let point = corner(&part.transformed, number);
         if point.is_outside() {
             continue;
         }
@@ -161,7 +161,7 @@ fn draw_edges<P: Paint>(
     stats.lines += edges.len() as u32;
     for (number, [from, to]) in (first..).zip(edges) {
         let indices = [*from, *to & !CHAINED];
-        let ends = indices.map(|index| corner(part.transformed, index));
+        let ends = indices.map(|index| corner(&part.transformed, index));
         let [_, last] = ends;
         let any = ScreenVertex::any_outside(ends);
         let all = any && ScreenVertex::all_outside(ends);

@@ -1,7 +1,7 @@
 //! The renderer's working memory: its size is the application's choice.
 
 use super::actors::ActorSlot;
-use super::meshlet_cache::Slot;
+use super::meshlet_cache::{EMPTY_KEPT, EMPTY_ROOM, SlotKept, SlotRoom};
 use super::visible_list::Entry;
 
 /// Working memory of a fixed size; put it into a `static`. None of the sizes
@@ -9,15 +9,17 @@ use super::visible_list::Entry;
 ///
 /// * `MESHLETS` that are listed at once, 12 bytes each. If a frame has more
 ///   that are visible, each band makes its own list.
-/// * `SLOTS` of transformed meshlets that are kept from band to band, 1 KB
+/// * `SLOTS` of transformed meshlets that are kept from band to band, 1.1 KB
 ///   each, at least 1. A meshlet that reaches into the next band and finds no
-///   slot is transformed again there.
+///   room is transformed again there. In scenes whose vertices have levels of light
+///   and no colours, three slots keep four meshlets.
 /// * `ACTORS` whose matrices are kept for the frame, about 0.5 KB each, at
 ///   least 1. Beyond that they are made again whenever the actor changes.
 #[derive(Debug)]
 pub struct Scratch<const MESHLETS: usize, const SLOTS: usize, const ACTORS: usize> {
     entries: [Entry; MESHLETS],
-    slots: [Slot; SLOTS],
+    room: [SlotRoom; SLOTS],
+    kept: [SlotKept; SLOTS],
     actors: [ActorSlot; ACTORS],
 }
 
@@ -31,7 +33,8 @@ impl<const MESHLETS: usize, const SLOTS: usize, const ACTORS: usize>
         let () = Self::SOME_OF_EACH;
         Self {
             entries: [Entry::EMPTY; MESHLETS],
-            slots: [Slot::EMPTY; SLOTS],
+            room: [EMPTY_ROOM; SLOTS],
+            kept: [EMPTY_KEPT; SLOTS],
             actors: [ActorSlot::EMPTY; ACTORS],
         }
     }
@@ -40,7 +43,8 @@ impl<const MESHLETS: usize, const SLOTS: usize, const ACTORS: usize>
     pub fn workspace(&mut self) -> Workspace<'_> {
         Workspace {
             entries: &mut self.entries,
-            slots: &mut self.slots,
+            room: &mut self.room,
+            kept: &mut self.kept,
             actors: &mut self.actors,
         }
     }
@@ -58,6 +62,7 @@ impl<const MESHLETS: usize, const SLOTS: usize, const ACTORS: usize> Default
 #[derive(Debug)]
 pub struct Workspace<'a> {
     pub(super) entries: &'a mut [Entry],
-    pub(super) slots: &'a mut [Slot],
+    pub(super) room: &'a mut [SlotRoom],
+    pub(super) kept: &'a mut [SlotKept],
     pub(super) actors: &'a mut [ActorSlot],
 }

@@ -85,7 +85,7 @@ fn triangle(
     stats: &mut FrameStats,
     to: &mut impl Draw,
 ) -> bool {
-    let corners = indices.map(|index| corner(part.transformed, index));
+    let corners = indices.map(|index| corner(&part.transformed, index));
     if part.inside || !ScreenVertex::any_outside(corners) {
         if let Some(below) = part.below {
             // Not looked at where it is not asked for, though it costs little.
@@ -157,7 +157,7 @@ fn clipped(
 
 /// A meshlet's vertex by index.
 #[inline(always)]
-pub(super) fn corner(transformed: &TransformedMeshlet, index: u8) -> &ScreenVertex {
+pub(super) fn corner<'a>(transformed: &TransformedMeshlet<'a>, index: u8) -> &'a ScreenVertex {
     #[expect(clippy::indexing_slicing, reason = "held below the array's length")]
     &transformed.vertices[usize::from(index) % MESHLET_VERTICES]
 }

@@ -155,6 +155,12 @@ impl<'a> Scene<'a> {
         })
     }
 
+    /// Whether some material goes by colour where it may be lit at vertices.
+    pub(crate) fn has_colours_at_vertices(&self) -> bool {
+        let mut materials = self.materials.iter().map(Material::from_words);
+        materials.any(|material| material.coloured)
+    }
+
     /// Number of meshlets of all meshes.
     pub fn meshlet_count(&self) -> usize {
         self.meshlets.len()

@@ -2,41 +2,60 @@
 
 use core::ops::Range;
 
-use super::{ClipVertex, Perspective, ScreenVertex, Used, guard, project};
+use super::{ClipVertex, Heights, Perspective, ScreenVertex, Used, guard, project};
 use crate::light::{Patch, ShortUnit, SurfaceLights, vertex_normal};
 use crate::math::{FineLevel, HALF_PX, SUBPX_BITS, SubPx};
 use crate::scene::layout::MESHLET_VERTICES;
 use crate::scene::{Meshlet, Scene, Shading};
 use crate::view::{ActorView, MeshletRows};
 
-/// Colours that are kept with a meshlet.
-const COLOURS: usize = if cfg!(feature = "light") {
-    MESHLET_VERTICES
+/// Colours that take the room of a vertex.
+const COLOURS: usize = 3;
+/// Room for the colours of a meshlet, in vertices.
+pub const COLOUR_ROOM: usize = if cfg!(feature = "light") {
+    MESHLET_VERTICES.div_ceil(COLOURS)
 } else {
     0
 };
 
 /// The vertices of one meshlet on the screen.
 #[derive(Clone, Copy, Debug)]
-pub struct TransformedMeshlet {
+pub struct TransformedMeshlet<'a> {
     /// The vertices.
-    pub vertices: [ScreenVertex; MESHLET_VERTICES],
-    /// Their colours, of a material that goes by colour and is lit at vertices: 10
-    /// bits of red (lowest), green and blue each.
-    colours: [u32; COLOURS],
+    pub vertices: &'a [ScreenVertex; MESHLET_VERTICES],
+    /// See [`Room`].
+    colours: &'a [ScreenVertex],
 }
 
-impl TransformedMeshlet {
-    /// No meshlet's.
-    pub const EMPTY: Self = Self {
-        vertices: [ScreenVertex::ZERO; MESHLET_VERTICES],
-        colours: [0; COLOURS],
-    };
-
+impl TransformedMeshlet<'_> {
     /// A vertex's colour in 1/64 of a level.
     pub fn colour(&self, index: u8) -> [i32; 3] {
-        let packed = self.colours.get(usize::from(index)).copied().unwrap_or(0);
+        let (number, part) = (usize::from(index) / COLOURS, usize::from(index) % COLOURS);
+        let words = self.colours.get(number).map(ScreenVertex::words);
+        let packed = words.and_then(|words| words.get(part).copied());
+        let packed = packed.unwrap_or(0);
         [0, 10, 20].map(|shift| ((packed >> shift & 1023) << 4) as i32)
+    }
+}
+
+/// Where a meshlet's vertices go.
+#[derive(Debug)]
+pub struct Room<'a> {
+    /// The vertices.
+    pub vertices: &'a mut [ScreenVertex; MESHLET_VERTICES],
+    /// Their colours, of a material that goes by colour and is lit at vertices: three in the
+    /// room of a vertex, each 10 bits of red (lowest), green and blue. [`COLOUR_ROOM`], or
+    /// nothing if the scene has no such material.
+    pub colours: &'a mut [ScreenVertex],
+}
+
+impl<'a> Room<'a> {
+    /// What is there.
+    pub fn held(self) -> TransformedMeshlet<'a> {
+        TransformedMeshlet {
+            vertices: self.vertices,
+            colours: self.colours,
+        }
     }
 }
 
@@ -48,7 +67,7 @@ pub fn transform_meshlet(
     view: &ActorView,
     meshlet: &Meshlet,
     used: &Used,
-    out: &mut TransformedMeshlet,
+    out: &mut Room<'_>,
 ) -> Option<Range<u16>> {
     let rows = MeshletRows::new(view, meshlet);
     let gouraud = cfg!(feature = "gouraud") && view.material.shading == Shading::Gouraud;
@@ -95,21 +114,30 @@ pub fn transform_meshlet(
             *out = project(view, &vertex);
         }
     }
-    if lit {
-        let all = out.vertices.iter_mut().zip(vertices).zip(used.iter());
-        for (i, ((out, vertex), used)) in all.enumerate() {
+    if lit && fine.is_empty() {
+        for ((out, vertex), used) in out.vertices.iter_mut().zip(vertices).zip(used.iter()) {
             if *used != 0 {
-                let [.., normal] = vertex.map(i16::from_le);
-                let low = fine.get(i).map(|[.., low]| *low);
-                *out = out.lit(level(view, normal, low));
+                *out = out.lit(view.lights.level(normal(vertex)));
+            }
+        }
+    } else if lit {
+        let stored = vertices.iter().zip(fine).zip(used.iter());
+        for (out, ((vertex, [.., low]), used)) in out.vertices.iter_mut().zip(stored) {
+            if *used != 0 {
+                *out = out.lit(view.lights.fine_level(normal(vertex), *low));
             }
         }
     }
     if full && gouraud {
         light_vertices(scene, view, meshlet, used, out);
     }
-    let known = out.vertices.iter().take(vertices.len()).zip(used.iter());
-    rows_between(known.filter_map(|(vertex, used)| (*used != 0).then_some(vertex)))
+    let mut heights = Heights::NONE;
+    for ((vertex, _), used) in out.vertices.iter().zip(vertices).zip(used.iter()) {
+        if *used != 0 {
+            heights.add(vertex);
+        }
+    }
+    rows_between(&heights)
 }
 
 /// A vertex within all planes, projected; where registers are few, that is left to a loop of
@@ -142,9 +170,8 @@ fn inside(view: &ActorView, meshlet: &Meshlet, rows: &MeshletRows) -> bool {
 }
 
 /// The rows whose centres are between vertices.
-#[inline(always)]
-fn rows_between<'v>(vertices: impl Iterator<Item = &'v ScreenVertex>) -> Option<Range<u16>> {
-    let (least, most) = ScreenVertex::heights(vertices)?;
+fn rows_between(heights: &Heights) -> Option<Range<u16>> {
+    let (least, most) = heights.ends()?;
     let row = |y: SubPx| {
         let row = (y.to_bits().saturating_add(HALF_PX - 1)) >> SUBPX_BITS;
         row.clamp(0, u16::MAX.into()) as u16
@@ -159,7 +186,7 @@ fn light_vertices(
     view: &ActorView,
     meshlet: &Meshlet,
     used: &Used,
-    out: &mut TransformedMeshlet,
+    out: &mut Room<'_>,
 ) {
     let patch = Patch::new(meshlet, &view.mesh);
     let mut lights = SurfaceLights::NONE;
@@ -167,7 +194,7 @@ fn light_vertices(
     let tints = scene.meshlet_colours(meshlet, &view.mesh);
     let fine = scene.meshlet_fine(meshlet, &view.mesh);
     let vertices = scene.meshlet_vertices(meshlet).iter().enumerate();
-    for (((i, vertex), out_vertex), used) in vertices.zip(&mut out.vertices).zip(used.iter()) {
+    for (((i, vertex), out_vertex), used) in vertices.zip(&mut *out.vertices).zip(used.iter()) {
         if *used == 0 {
             continue;
         }
@@ -176,9 +203,9 @@ fn light_vertices(
         let lit = lights.shine(normal, place, tint);
         let [level, ..] = lit;
         *out_vertex = out_vertex.lit(FineLevel::from_bits(level));
-        if let Some(colour) = out.colours.get_mut(i) {
+        if let Some(colours) = out.colours.get_mut(i / COLOURS) {
             let [r, g, b] = lit.map(|c| (u32::from(c) + 8) >> 4);
-            *colour = r | g << 10 | b << 20;
+            colours.set_word(i % COLOURS, r | g << 10 | b << 20);
         }
     }
 }
@@ -242,12 +269,9 @@ fn fine_place(meshlet: &Meshlet, vertex: [i16; 4], fine: [u8; 4]) -> [i32; 3] {
     [(x << sx) + fx, (y << sy) + fy, (z << sz) + fz]
 }
 
-/// The light level of a vertex with a normal as the meshlet has it.
+/// The two bytes of a vertex's normal.
 #[inline(always)]
-fn level(view: &ActorView, normal: i16, low: Option<u8>) -> FineLevel {
-    let normal = normal.to_le_bytes().map(|b| b as i8);
-    match low {
-        Some(low) => view.lights.fine_level(normal, low),
-        None => view.lights.level(normal),
-    }
+fn normal(vertex: &[i16; 4]) -> [i8; 2] {
+    let [.., normal] = vertex.map(i16::from_le);
+    normal.to_le_bytes().map(|b| b as i8)
 }

@@ -9,9 +9,12 @@ mod screen_vertex;
 mod used;
 
 pub use clip_coordinates::ClipVertex;
-pub use meshlet::{TransformedMeshlet, surface_point, transform_meshlet, vertex};
+pub use meshlet::{
+    COLOUR_ROOM, Room, TransformedMeshlet, surface_point, transform_meshlet, vertex,
+};
 use projection::Perspective;
 pub(crate) use projection::{guard, outcode};
 pub use projection::{outside, project, project_inside};
+use screen_vertex::Heights;
 pub use screen_vertex::{Rest, ScreenVertex};
 pub use used::Used;

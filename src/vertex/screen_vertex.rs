@@ -71,6 +71,20 @@ impl ScreenVertex {
         [self.x, self.y, self.depth_and_level].map(|c| c as i32)
     }
 
+    /// What else is kept in the room of a vertex: three words.
+    pub(super) fn words(&self) -> [u32; 3] {
+        [self.x, self.y, self.depth_and_level]
+    }
+
+    /// Puts one of the words into its place.
+    pub(super) fn set_word(&mut self, which: usize, word: u32) {
+        match which {
+            0 => self.x = word,
+            1 => self.y = word,
+            _ => self.depth_and_level = word,
+        }
+    }
+
     /// With a light level, which is rounded to 1/16.
     #[must_use]
     #[inline(always)]
@@ -137,20 +151,6 @@ impl ScreenVertex {
         (self.x | self.y) & OUTSIDE != 0
     }
 
-    /// The least and the most y of some; `None` if some have to be clipped.
-    #[inline(always)]
-    pub(super) fn heights<'v>(vertices: impl Iterator<Item = &'v Self>) -> Option<(SubPx, SubPx)> {
-        let (mut least, mut most, mut any) = (i32::MAX, i32::MIN, 0);
-        for vertex in vertices {
-            // What is below y decides only between equals.
-            let y = vertex.y as i32;
-            (least, most) = (least.min(y), most.max(y));
-            any |= vertex.x | vertex.y;
-        }
-        let place = |y: i32| SubPx::from_bits(y >> PLACE_SHIFT);
-        (any & OUTSIDE == 0).then_some((place(least), place(most)))
-    }
-
     /// Whether some are outside.
     #[inline(always)]
     pub fn any_outside<const N: usize>(all: [&Self; N]) -> bool {
@@ -168,6 +168,38 @@ impl ScreenVertex {
 }
 
 const _: () = assert!(outside::BELOW < 1 << 6);
+
+/// Between which heights some vertices are.
+pub(super) struct Heights {
+    least: i32,
+    most: i32,
+    any: u32,
+}
+
+impl Heights {
+    /// Of no vertex.
+    pub(super) const NONE: Self = Self {
+        least: i32::MAX,
+        most: i32::MIN,
+        any: 0,
+    };
+
+    /// One more vertex.
+    #[inline(always)]
+    pub(super) fn add(&mut self, vertex: &ScreenVertex) {
+        // What is below y decides only between equals.
+        let y = vertex.y as i32;
+        self.least = self.least.min(y);
+        self.most = self.most.max(y);
+        self.any |= vertex.x | vertex.y;
+    }
+
+    /// The least and the most y; `None` if some have to be clipped.
+    pub(super) fn ends(&self) -> Option<(SubPx, SubPx)> {
+        let place = |y: i32| SubPx::from_bits(y >> PLACE_SHIFT);
+        (self.any & OUTSIDE == 0).then_some((place(self.least), place(self.most)))
+    }
+}
 
 /// What rounding took from a screen position, in 1/16 of a sub-pixel, -8..=7
 /// each. Only the depth of steep faces needs it.

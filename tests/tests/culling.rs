@@ -8,9 +8,9 @@ use fixel::clip::clip;
 use fixel::cull::{Sight, Verdict, judge};
 use fixel::math::{Angle, Factor, Vec3, World};
 use fixel::raster::{Fill, Sides, draw_triangle};
-use fixel::scene::layout::CONE_TRIANGLES;
+use fixel::scene::layout::{CONE_TRIANGLES, MESHLET_VERTICES};
 use fixel::scene::{Camera, Cull, Meshlet, Placement, Projection};
-use fixel::vertex::{ScreenVertex, TransformedMeshlet, Used, transform_meshlet, vertex};
+use fixel::vertex::{Room, ScreenVertex, Used, transform_meshlet, vertex};
 use fixel::view::{ActorView, MeshletRows, ViewFrame};
 use fixel::{Band, Scene};
 use fixel_bake::Baked;
@@ -53,12 +53,16 @@ fn rows_drawn(
         front: view.material.cull != Cull::Front,
         back: view.material.cull != Cull::Back,
     };
-    let mut transformed = TransformedMeshlet::EMPTY;
-    transform_meshlet(scene, view, meshlet, &Used::ALL, &mut transformed);
+    let mut vertices = [ScreenVertex::ZERO; MESHLET_VERTICES];
+    let mut room = Room {
+        vertices: &mut vertices,
+        colours: &mut [],
+    };
+    transform_meshlet(scene, view, meshlet, &Used::ALL, &mut room);
     let rows = MeshletRows::new(view, meshlet);
     let all = scene.meshlet_triangles(meshlet).iter().enumerate();
     for (_, indices) in all.filter(|(number, _)| asked(*number)) {
-        let corners = indices.map(|i| &transformed.vertices[usize::from(i)]);
+        let corners = indices.map(|i| &vertices[usize::from(i)]);
         let mut draw = |triangle: [&ScreenVertex; 3]| {
             draw_triangle(&mut target, triangle, sides, view.perspective, || {
                 Fill::Flat(1)
