@@ -5,7 +5,7 @@ use crate::math::{Depth, keep_rolled};
 
 /// Whether two depths are compared and stored as a word: where words may lie at any
 /// address.
-const BY_WORDS: bool = !cfg!(narrow_multiply) && !cfg!(target_arch = "riscv32");
+pub(super) const BY_WORDS: bool = !cfg!(narrow_multiply) && !cfg!(target_arch = "riscv32");
 
 /// Puts depths, from `z` on in steps of `dz` (16.16), in place by fours, as long as all four
 /// are nearer than what stands there, and the last ones if those are; gives how many.
@@ -34,6 +34,30 @@ pub(crate) fn put_nearer(depths: &mut [Depth], mut z: u32, dz: i32) -> usize {
         z = z.wrapping_add_signed(dz);
     }
     count
+}
+
+/// The same by fours alone, each pixel with an index.
+#[inline(never)]
+pub(super) fn put_nearer_of(
+    index: u8,
+    indices: &mut [u8],
+    depths: &mut [Depth],
+    mut z: u32,
+    dz: i32,
+) -> usize {
+    let (fours, _) = indices.as_chunks_mut::<4>();
+    let (four_depths, _) = depths.as_chunks_mut::<4>();
+    let mut drawn = 0;
+    for (pixels, depths) in fours.iter_mut().zip(four_depths) {
+        if put_four(depths, z, dz).is_none() {
+            break;
+        }
+        *pixels = [index; 4];
+        z = z.wrapping_add_signed(dz << 2);
+        drawn += 4;
+        keep_rolled();
+    }
+    drawn
 }
 
 #[inline(always)]

@@ -159,6 +159,9 @@ fn follow_down<const LEFT: bool>(
     let Some(rows) = spans.get_mut(top.max(0) as usize..end as usize) else {
         return;
     };
+    if rows.is_empty() {
+        return;
+    }
     let (dx, dy) = (x_end - x, y_end - y);
     // From the vertex to centres of its column and of the edge's first row.
     let across = HALF_PX - (x & FRACTION);

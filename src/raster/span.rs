@@ -4,7 +4,7 @@
 //! stands there. Slices are cut once a span, so that no index is checked in the
 //! loop.
 
-use super::nearer::put_nearer;
+use super::nearer::{BY_WORDS, put_nearer, put_nearer_of};
 use crate::frame::{Stored, fill};
 use crate::math::{Depth, keep_rolled};
 
@@ -41,12 +41,15 @@ pub(super) fn flat(indices: &mut [u8], depths: &mut [Depth], mut z: u32, dz: i32
     }
 }
 
-/// Pixels from which on two passes pay.
-const MANY: usize = 24;
+/// Pixels from which on it pays to look for those that are all nearer than what stands there.
+const MANY: usize = if BY_WORDS { 16 } else { 96 };
 
-/// The same where there are likely many: of those that are all nearer than what stands
-/// there, depths first, and then indices by words; the others by twos. A function of its own:
-/// where it is inlined, others take its registers.
+/// Pixels from which on it pays to fill in their indices afterwards.
+const FILLED: usize = 128;
+
+/// The same where there are likely many: those before the first that is not nearer than what
+/// stands there, then the others by twos. A function of its own: where it is inlined, others
+/// take its registers.
 #[inline(never)]
 pub(super) fn long_flat(
     mut indices: &mut [u8],
@@ -56,15 +59,30 @@ pub(super) fn long_flat(
     index: u8,
 ) {
     if indices.len() >= MANY {
-        let drawn = put_nearer(depths, z, dz);
-        let all = (indices.split_at_mut_checked(drawn), depths.get_mut(drawn..));
-        let (Some((own, rest)), Some(rest_depths)) = all else {
+        let drawn = if BY_WORDS && indices.len() < FILLED {
+            put_nearer_of(index, indices, depths, z, dz)
+        } else {
+            let drawn = put_nearer(depths, z, dz);
+            fill(
+                indices.get_mut(..drawn).unwrap_or_default(),
+                index,
+                index.word(),
+            );
+            drawn
+        };
+        let rest = (indices.get_mut(drawn..), depths.get_mut(drawn..));
+        let (Some(rest), Some(rest_depths)) = rest else {
             return;
         };
-        fill(own, index, index.word());
         (indices, depths) = (rest, rest_depths);
         z = z.wrapping_add_signed(dz.wrapping_mul(drawn as i32));
     }
+    flat_by_twos(indices, depths, z, dz, index);
+}
+
+/// The same by twos.
+#[inline(always)]
+fn flat_by_twos(indices: &mut [u8], depths: &mut [Depth], mut z: u32, dz: i32, index: u8) {
     let (twos, last) = indices.as_chunks_mut::<2>();
     let (two_depths, last_depth) = depths.as_chunks_mut::<2>();
     for ([a, b], [da, db]) in twos.iter_mut().zip(two_depths) {
