@@ -7,7 +7,7 @@ use super::sliver;
 use super::small::{fill_small, is_small};
 use super::span::{self, Fill};
 use crate::frame::Target;
-use crate::math::{HALF_PX, SUBPX_BITS};
+use crate::math::{HALF_PX, SUBPX_BITS, product};
 use crate::vertex::ScreenVertex;
 
 /// Which sides of a triangle are drawn.
@@ -61,7 +61,7 @@ fn doubled_area([a, b, c]: [&ScreenVertex; 3]) -> i64 {
     if cfg!(narrow_multiply) && (shifted as u32) < 2 * HALF as u32 {
         return i64::from(bx * cy - cx * by);
     }
-    i64::from(bx) * i64::from(cy) - i64::from(cx) * i64::from(by)
+    product(bx, cy) - product(cx, by)
 }
 
 /// The first pixel whose centre is at or past `v`.
