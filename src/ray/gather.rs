@@ -9,18 +9,18 @@ use super::coverage::{Bits, TILE, cover, cover_bounds, cover_rectangle};
 use super::hierarchy::{Hierarchy, Stack};
 use super::parts::Seen;
 use super::pause::Pause;
-use super::triangle::Corners;
 use crate::math::Rect;
 use crate::scene::{Child, Leaf, Scene};
 
 /// Most triangles or parts of a tile: one bit each.
-const MOST: usize = 32;
+pub(super) const MOST: usize = 32;
 
 /// What a ray may meet.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Candidate {
     /// Of a mesh, a node's word for it: a triangle, or triangles of a leaf, or a node.
     pub word: u32,
+    /// Of a part of a mesh.
     pub seen: Seen,
     pub actor: u16,
 }
@@ -30,7 +30,7 @@ impl Candidate {
     const fn all_of(actor: u16) -> Self {
         Self {
             word: 0,
-            seen: Seen::EVERYWHERE,
+            seen: Seen::UNKNOWN,
             actor,
         }
     }
@@ -51,13 +51,9 @@ pub(super) enum Way {
 #[derive(Debug)]
 pub(super) struct Gathered {
     list: [Candidate; MOST],
-    /// Of triangles, their corners off the eye in the actor's grid: rays all start there.
-    corners: [Corners; MOST],
     bits: Bits,
     /// How many are in the list.
     count: usize,
-    /// They are parts of meshes, not triangles.
-    parts: bool,
     /// Of tiles and their quarters: how long they are not gathered where they have too many
     /// triangles.
     pauses: [Pause; 2],
@@ -72,12 +68,11 @@ pub(super) struct Candidates<'a> {
 }
 
 impl Gathered {
+    /// All zero.
     pub(super) const EMPTY: Self = Self {
         list: [Candidate::all_of(0); MOST],
-        corners: [[[0; 3]; 3]; MOST],
         bits: [0; TILE * TILE],
         count: 0,
-        parts: false,
         pauses: [Pause::NONE; 2],
     };
 
@@ -171,18 +166,15 @@ impl Gathered {
             let mesh = scene.mesh(actor.mesh);
             let tree = Hierarchy::new(scene, &mesh, first_node, None);
             let (list, bits) = (&mut self.list, &mut self.bits);
-            let places = &mut self.corners;
             let all = beam.walk(&tree, left, |leaf| {
                 tree.each_triangle(leaf, &from, |triangle, corners| {
                     let bit = 1u32.checked_shl(count as u32).unwrap_or(0);
                     if !cover(&beam, corners, actor.faces, size, bits, bit) {
                         return true;
                     }
-                    let slots = list.get_mut(count).zip(places.get_mut(count));
-                    let Some((slot, place)) = slots else {
+                    let Some(slot) = list.get_mut(count) else {
                         return false;
                     };
-                    *place = *corners;
                     let only = Leaf {
                         first: triangle,
                         count: 1,
@@ -201,7 +193,6 @@ impl Gathered {
             }
         }
         self.count = count;
-        self.parts = false;
         true
     }
 
@@ -258,7 +249,6 @@ impl Gathered {
             room = room.saturating_sub(found.saturating_sub(1));
         }
         self.count = count;
-        self.parts = true;
         true
     }
 
@@ -295,7 +285,7 @@ fn cover_exact(
     }
 }
 
-impl<'a> Candidates<'a> {
+impl Candidates<'_> {
     /// All of an actor.
     pub(super) const ALL: Self = Candidates { of: None, bits: 1 };
 
@@ -322,24 +312,6 @@ impl<'a> Candidates<'a> {
             bits: all ^ self.bits,
         };
         Some((actor, own))
-    }
-
-    /// Whether these are triangles whose corners are known.
-    #[inline(always)]
-    pub(super) fn are_triangles(&self) -> bool {
-        self.of.is_some_and(|gathered| !gathered.parts)
-    }
-
-    /// Words and corners of triangles.
-    #[inline(always)]
-    pub(super) fn triangles(self) -> impl Iterator<Item = (u32, &'a Corners)> {
-        let mut bits = self.bits;
-        core::iter::from_fn(move || {
-            let at = bits.trailing_zeros() as usize;
-            bits &= bits.wrapping_sub(1);
-            let gathered = self.of?;
-            Some((gathered.list.get(at)?.word, gathered.corners.get(at)?))
-        })
     }
 }
 

@@ -83,6 +83,23 @@ impl<'a> Hierarchy<'a> {
     /// Whether a ray meets any triangle.
     #[inline(never)]
     pub(super) fn any(&self, ray: &GridRay, range: (i32, i32), left: &mut Stack) -> bool {
+        match ray.axes {
+            [.., 0] => self.any_along::<0>(ray, range, left),
+            [.., 1] => self.any_along::<1>(ray, range, left),
+            _ => self.any_along::<2>(ray, range, left),
+        }
+    }
+
+    /// The same of a ray whose third axis is known to the compiler.
+    #[inline(always)]
+    fn any_along<const THIRD: usize>(
+        &self,
+        ray: &GridRay,
+        range: (i32, i32),
+        left: &mut Stack,
+    ) -> bool {
+        let axes = AXES.get(THIRD).copied().unwrap_or(ray.axes);
+        let ray = &GridRay { axes, ..*ray };
         self.count_up_to(ray, range, Wanted::Any, left) != 0
     }
 

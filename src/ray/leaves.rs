@@ -1,13 +1,12 @@
 //! The triangles of a hierarchy's leaves: what a ray meets of them.
 
 use super::actor::GridPlace;
-use super::gather::Candidates;
 use super::grid_ray::{AXES, GridRay};
 use super::hierarchy::Hierarchy;
 use super::holes::is_hole;
 use super::surface::coordinates;
-use super::triangle::{Corners, Faces, Points, TriangleHit, meet, meet_corners};
-use crate::scene::{Child, Leaf, Meshlet, Record};
+use super::triangle::{Corners, Faces, Points, TriangleHit, meet};
+use crate::scene::{Leaf, Meshlet, Record};
 
 /// What is wanted of a way through a hierarchy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,60 +56,6 @@ impl Hierarchy<'_> {
         numbers.all(|number| each(number, &points.triangle(number)))
     }
 
-    /// The nearest of some triangles that a ray meets within a range, whose corners are given.
-    #[inline(never)]
-    pub(super) fn nearest_of(
-        &self,
-        ray: &GridRay,
-        faces: Faces,
-        range: (i32, i32),
-        triangles: Candidates<'_>,
-    ) -> Option<TriangleHit> {
-        let way = Way::new(faces, range);
-        match ray.axes {
-            [.., 0] => self.nearest_along::<0>(ray, way, triangles),
-            [.., 1] => self.nearest_along::<1>(ray, way, triangles),
-            _ => self.nearest_along::<2>(ray, way, triangles),
-        }
-    }
-
-    /// The same of a ray whose third axis is known to the compiler.
-    #[inline(always)]
-    fn nearest_along<const THIRD: usize>(
-        &self,
-        ray: &GridRay,
-        mut way: Way,
-        triangles: Candidates<'_>,
-    ) -> Option<TriangleHit> {
-        let axes = AXES.get(THIRD).copied().unwrap_or(ray.axes);
-        let ray = &GridRay { axes, ..*ray };
-        for (word, corners) in triangles.triangles() {
-            let Child::Leaf(leaf) = Child::from_word(word.to_le()) else {
-                continue;
-            };
-            let number = (leaf.meshlet, leaf.first);
-            if let Some(hit) = meet_corners(ray, corners, number, way.faces, way.range)
-                && way.nearest.is_none_or(|best| hit.before(&best))
-                && !self.is_through(ray, &hit)
-            {
-                way.range.1 = hit.ahead;
-                way.nearest = Some(hit);
-            }
-        }
-        way.nearest
-    }
-
-    /// Whether a ray meets a triangle where its texture is cut out, if there is one.
-    #[inline(always)]
-    fn is_through(&self, ray: &GridRay, hit: &TriangleHit) -> bool {
-        self.holes.is_some_and(|texture| {
-            let words = self.meshlets.get(hit.meshlet as usize);
-            let meshlet = words.map(Meshlet::from_words);
-            let points = meshlet.map(|own| Points::new(self.scene, self.mesh, own, &ray.from));
-            points.is_some_and(|points| self.is_hole(texture, &points, hit))
-        })
-    }
-
     /// Whether a ray meets any of some triangles.
     #[inline(always)]
     pub(super) fn any_of(
@@ -119,19 +64,31 @@ impl Hierarchy<'_> {
         range: (i32, i32),
         triangles: impl Iterator<Item = (u32, u8)>,
     ) -> bool {
+        let mut triangles = triangles;
+        triangles.any(|triangle| match ray.axes {
+            [.., 0] => self.is_met::<0>(ray, range, triangle),
+            [.., 1] => self.is_met::<1>(ray, range, triangle),
+            _ => self.is_met::<2>(ray, range, triangle),
+        })
+    }
+
+    /// Whether a ray whose third axis is known to the compiler meets a triangle.
+    #[inline(never)]
+    fn is_met<const THIRD: usize>(
+        &self,
+        ray: &GridRay,
+        range: (i32, i32),
+        (meshlet, first): (u32, u8),
+    ) -> bool {
+        let axes = AXES.get(THIRD).copied().unwrap_or(ray.axes);
         let mut way = Way::new(Faces::BOTH, range);
-        for (meshlet, first) in triangles {
-            let leaf = Leaf {
-                meshlet,
-                first,
-                count: 1,
-            };
-            self.leaf(ray, leaf, Wanted::Any, &mut way);
-            if way.count != 0 {
-                return true;
-            }
-        }
-        false
+        let leaf = Leaf {
+            meshlet,
+            first,
+            count: 1,
+        };
+        self.leaf(&GridRay { axes, ..*ray }, leaf, Wanted::Any, &mut way);
+        way.count != 0
     }
 
     /// What a ray meets of a leaf's triangles.

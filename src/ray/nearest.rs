@@ -110,13 +110,8 @@ impl RayActor {
         let mesh = scene.mesh(self.mesh);
         let tree = Hierarchy::new(scene, &mesh, first_node, self.holes);
         let near = grid.units(self, ray.near);
-        let hit = if parts.are_triangles() {
-            // Of the nearest, what is too far is seen below.
-            tree.nearest_of(&grid, self.faces, (near, i32::MAX), parts)
-        } else {
-            let range = (near, limit(&grid, self, best.distance));
-            tree.nearest(&grid, self.faces, range, parts, left)
-        };
+        let range = (near, limit(&grid, self, best.distance));
+        let hit = tree.nearest(&grid, self.faces, range, parts, left);
         let Some(hit) = hit else { return };
         let way = self.way(grid.along, grid.from.fraction);
         let distance = Scaled::new(hit.ahead.unsigned_abs(), 0).times(way).fixed(0);

@@ -5,7 +5,7 @@
 
 use super::beam::Beam;
 use super::coverage::{self, Bits, FINE, TILE};
-use super::gather::Candidate;
+use super::gather::{Candidate, MOST};
 use super::hierarchy::Hierarchy;
 use crate::math::{mul_high, reciprocal};
 use crate::scene::{Node, Record};
@@ -13,24 +13,72 @@ use crate::scene::{Node, Record};
 /// What the side of a box may be off in `2^-FINE` pixels.
 const OFF: i32 = 4;
 
-/// Where a part is seen in a tile, by which parts are ordered: how near it is, and below the first
-/// and the last column and row, 3 bits each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Seen(u32);
+/// Where a part is seen in a tile: the first and the last column and row, 3 bits each.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen(u16);
 
 const _: () = assert!(TILE == 8);
 
 impl Seen {
+    /// Not asked for.
+    pub(super) const UNKNOWN: Self = Self(0);
     /// Anywhere.
-    pub(super) const EVERYWHERE: Self = Self(7 << 3 | 7 << 9);
+    const EVERYWHERE: Self = Self(7 << 3 | 7 << 9);
 
     /// Sets a bit in a tile's pixels there.
     #[inline(never)]
     pub(super) fn cover(self, bits: &mut Bits, bit: u32) {
-        let [left, right, top, bottom] = [0, 3, 6, 9].map(|by| (self.0 >> by & 7) as usize);
+        let [left, right, top, bottom] = [0, 3, 6, 9].map(|by| usize::from(self.0 >> by & 7));
         for row in bits.chunks_exact_mut(TILE).take(bottom + 1).skip(top) {
             for pixel in row.iter_mut().take(right + 1).skip(left) {
                 *pixel |= bit;
+            }
+        }
+    }
+}
+
+/// Parts in a list, with how near each is.
+struct Parts<'a> {
+    list: &'a mut [Candidate],
+    near: [u32; MOST],
+    count: usize,
+}
+
+impl Parts<'_> {
+    /// Puts a part in a place of the list; nothing happens beyond its end.
+    fn set(&mut self, at: usize, part: Candidate, near: u32) {
+        let slots = self.list.get_mut(at).zip(self.near.get_mut(at));
+        if let Some((slot, own)) = slots {
+            (*slot, *own) = (part, near);
+        }
+    }
+
+    /// Adds a part, if there is room.
+    fn add(&mut self, part: Candidate, near: u32) {
+        self.set(self.count, part, near);
+        self.count = (self.count + 1).min(self.list.len());
+    }
+
+    /// Takes a part away: the last one takes its place.
+    fn remove(&mut self, at: usize) {
+        self.count = self.count.saturating_sub(1);
+        let last = self.list.get(self.count).zip(self.near.get(self.count));
+        if let Some((&part, &near)) = last {
+            self.set(at, part, near);
+        }
+    }
+
+    /// Brings the nearest to the front: of so few, each goes forward as far as it can.
+    fn sort(&mut self) {
+        for end in 1..self.count {
+            let mut at = end;
+            while let Some([before, near]) = self.near.get_mut(at.wrapping_sub(1)..=at)
+                && *before > *near
+                && let Some([first, second]) = self.list.get_mut(at.wrapping_sub(1)..=at)
+            {
+                core::mem::swap(before, near);
+                core::mem::swap(first, second);
+                at = at.wrapping_sub(1);
             }
         }
     }
@@ -48,66 +96,82 @@ impl Beam {
         list: &mut [Candidate],
     ) -> usize {
         let candidate = |word, seen| Candidate { word, seen, actor };
-        let mut count = 0;
-        add(list, &mut count, candidate(0, Seen::EVERYWHERE));
+        let mut parts = Parts {
+            list,
+            near: [0; MOST],
+            count: 0,
+        };
+        parts.add(candidate(0, Seen::EVERYWHERE), 0);
         let mut opened = true;
         while opened {
             opened = false;
             let mut at = 0;
             // A level of the hierarchy, or so.
-            while let Some(part) = list.get(at).copied().filter(|_| at < count) {
-                at += 1;
-                if part.word >> 31 != 0 {
+            while at < parts.count {
+                let word = parts.list.get(at).map_or(0, |part| part.word);
+                if word >> 31 != 0 {
+                    at += 1;
                     continue;
                 }
                 // One goes, up to four come.
-                if count + 3 > list.len() {
+                if parts.count + 3 > parts.list.len() {
                     opened = false;
                     break;
                 }
                 opened = true;
-                let Some(words) = tree.node_words(part.word) else {
-                    continue;
-                };
-                let (met, children) = self.boxes(tree, part.word).unwrap_or((0, &[0; 4]));
-                let mut first = true;
-                for (child, word) in children.iter().enumerate() {
-                    if met >> child & 1 == 0 {
-                        continue;
-                    }
-                    let Some(seen) = self.seen(words, child, size) else {
-                        continue;
-                    };
-                    let found = candidate(u32::from_le(*word), seen);
-                    if first && let Some(slot) = list.get_mut(at - 1) {
-                        *slot = found;
-                        first = false;
+                let mut is_first = true;
+                for (word, seen, near) in self.seen_in(tree, word, size) {
+                    let part = candidate(word, seen);
+                    if is_first {
+                        parts.set(at, part, near);
                     } else {
-                        add(list, &mut count, found);
+                        parts.add(part, near);
                     }
+                    is_first = false;
                 }
-                if first {
-                    // There is nothing in it: the last one takes its place.
-                    count -= 1;
-                    at -= 1;
-                    let last = list.get(count).copied();
-                    if let (Some(slot), Some(last)) = (list.get_mut(at), last) {
-                        *slot = last;
-                    }
+                if is_first {
+                    parts.remove(at);
+                } else {
+                    at += 1;
                 }
             }
         }
-        sort(list.get_mut(..count).unwrap_or_default());
-        count
+        parts.sort();
+        parts.count
     }
 
-    /// Where a tile's rays see a box of a node; `None` if none does.
-    fn seen(&self, words: &<Node as Record>::Words, child: usize, size: [u16; 2]) -> Option<Seen> {
+    /// What a tile's rays may meet in a node: words, where they see it, and how near it is.
+    #[inline(always)]
+    fn seen_in(
+        &self,
+        tree: &Hierarchy<'_>,
+        number: u32,
+        size: [u16; 2],
+    ) -> impl Iterator<Item = (u32, Seen, u32)> {
+        let words = tree.node_words(number);
+        let (met, children) = self.boxes(tree, number).unwrap_or((0, &[0; 4]));
+        let met = children
+            .iter()
+            .enumerate()
+            .filter(move |(child, _)| met >> child & 1 != 0);
+        met.filter_map(move |(child, word)| {
+            let (seen, near) = self.seen(words?, child, size)?;
+            Some((u32::from_le(*word), seen, near))
+        })
+    }
+
+    /// Where a tile's rays see a box of a node, and how near it is; `None` if none does.
+    fn seen(
+        &self,
+        words: &<Node as Record>::Words,
+        child: usize,
+        size: [u16; 2],
+    ) -> Option<(Seen, u32)> {
         let [o0, o1, o2, rest @ ..] = words;
         let origin = [*o0, *o1, *o2].map(|word| u32::from_le(word) as i32);
         let exponent = (origin[0] & 31) + self.from.fraction;
         if exponent < 0 {
-            return Some(Seen::EVERYWHERE);
+            return Some((Seen::EVERYWHERE, 0));
         }
         let off = self.from.off(origin.map(|c| c >> 5));
         let sides: &[[u8; 4]; 6] = bytemuck::cast_ref(rest.first_chunk::<6>()?);
@@ -134,7 +198,7 @@ impl Beam {
         let ahead = |z: i32| z >> (screen.up.max(0) + 8) > 0;
         if !ahead(nearest) {
             // Too near to tell.
-            return Some(Seen::EVERYWHERE);
+            return Some((Seen::EVERYWHERE, 0));
         }
         let recips = [nearest, farthest].map(|z| reciprocal(z as u32));
         // As corners of triangles are brought to the screen.
@@ -156,28 +220,7 @@ impl Beam {
         let [width, height] = size;
         let [left, right] = span(screen.x, width)?;
         let [top, bottom] = span(screen.y, height)?;
-        let near = (nearest as u32) >> 11 << 12;
-        Some(Seen(near | left | right << 3 | top << 6 | bottom << 9))
-    }
-}
-
-/// Brings the nearest to the front.
-fn sort(list: &mut [Candidate]) {
-    for end in 1..list.len() {
-        let mut at = end;
-        while let Some([before, here]) = list.get_mut(at.wrapping_sub(1)..=at)
-            && before.seen > here.seen
-        {
-            core::mem::swap(before, here);
-            at -= 1;
-        }
-    }
-}
-
-/// Adds to a list that has room.
-fn add(list: &mut [Candidate], count: &mut usize, part: Candidate) {
-    if let Some(slot) = list.get_mut(*count) {
-        *slot = part;
-        *count += 1;
+        let seen = left | right << 3 | top << 6 | bottom << 9;
+        Some((Seen(seen as u16), nearest as u32))
     }
 }

@@ -130,25 +130,12 @@ impl<'a> Points<'a> {
 pub(super) fn meet(
     ray: &GridRay,
     points: &Points<'_>,
-    number: (u32, u8),
-    faces: Faces,
-    range: (i32, i32),
-) -> Option<TriangleHit> {
-    let (_, triangle) = number;
-    meet_corners(ray, &points.triangle(triangle), number, faces, range)
-}
-
-/// The same of a triangle whose corners are given as they are off the ray's start.
-#[inline(always)]
-pub(super) fn meet_corners(
-    ray: &GridRay,
-    corners: &Corners,
     (meshlet, triangle): (u32, u8),
     faces: Faces,
     (nearest, farthest): (i32, i32),
 ) -> Option<TriangleHit> {
-    let [a, b, c] = corners;
-    let vertex = |corner: &[i32; 3]| ray.sheared(ray.in_order(*corner));
+    let [a, b, c] = points.triangle(triangle);
+    let vertex = |corner: [i32; 3]| ray.sheared(ray.in_order(corner));
     let (a, b, c) = (vertex(a), vertex(b), vertex(c));
     let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (a, b, c);
     // All to one side of the ray.
