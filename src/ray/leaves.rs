@@ -105,7 +105,7 @@ impl Hierarchy<'_> {
                 continue;
             };
             if let Some(texture) = self.holes
-                && self.is_hole(texture, &points, &hit)
+                && self.is_hole(texture, ray, &hit)
             {
                 continue;
             }
@@ -117,12 +117,17 @@ impl Hierarchy<'_> {
         }
     }
 
-    /// Whether a ray meets a triangle where its texture is cut out.
+    /// Whether a ray meets a triangle where its texture is cut out. It looks the meshlet up anew:
+    /// handed over, all of it would be written to memory for every leaf.
     #[cold]
     #[inline(never)]
-    fn is_hole(&self, texture: u8, points: &Points<'_>, hit: &TriangleHit) -> bool {
-        let corners = points.corners(hit.triangle);
-        let found = coordinates(self.scene, self.mesh, &points.meshlet, corners, hit.weights);
+    fn is_hole(&self, texture: u8, ray: &GridRay, hit: &TriangleHit) -> bool {
+        let Some(words) = self.meshlets.get(hit.meshlet as usize) else {
+            return false;
+        };
+        let meshlet = Meshlet::from_words(words);
+        let corners = Points::new(self.scene, self.mesh, meshlet, &ray.from).corners(hit.triangle);
+        let found = coordinates(self.scene, self.mesh, &meshlet, corners, hit.weights);
         found.is_some_and(|place| is_hole(self.scene, self.mesh, texture, place))
     }
 }

@@ -49,7 +49,6 @@ pub(super) type Corners = [[i32; 3]; 3];
 /// A meshlet's vertices as they are off a place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Points<'a> {
-    pub meshlet: Meshlet,
     vertices: &'a [[i16; 4]],
     fine: &'a [[u8; 4]],
     triangles: &'a [[u8; 3]],
@@ -76,7 +75,6 @@ impl<'a> Points<'a> {
             }
         }
         Self {
-            meshlet,
             vertices: scene.meshlet_vertices(&meshlet),
             fine: scene.meshlet_fine(&meshlet, mesh),
             triangles: scene.meshlet_triangles(&meshlet),
