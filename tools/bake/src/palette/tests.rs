@@ -383,3 +383,15 @@ fn samples_of_a_texture_are_of_the_copies_that_are_seen() {
     scene.materials[0].texture = Some(how);
     assert_eq!(greys(&scene), 0.0);
 }
+
+/// A picture has about as many samples however small a part of a surface it shows.
+#[test]
+fn a_close_parallel_camera_takes_no_more_samples() {
+    let count = |parallel_scale: f64| {
+        let mut scene = scene();
+        scene.camera.projection = fixel_scene::Projection::Parallel { parallel_scale };
+        surface::samples(&scene).len()
+    };
+    let (all, part) = (count(1.0), count(0.001));
+    assert!(all > 1000 && part < 4 * all, "{all}, {part}");
+}

@@ -105,7 +105,9 @@ impl Window {
         if !self.perspective {
             let size = area.dot(self.axes[2]).abs();
             let inside = x.abs() < width && y.abs() < height;
-            return (size, if inside { size } else { size * OUTSIDE });
+            let beside = x.abs() - reach > width || y.abs() - reach > height;
+            let most = if beside { 0.0 } else { size };
+            return (most, if inside { size } else { size * OUTSIDE });
         }
         let distance = middle.length().max(self.near);
         let nearest = (distance - reach).max(self.near);
@@ -149,5 +151,8 @@ mod tests {
         assert!(window.apparent(turned).1 < 1e-12);
         let off = [a, b, c].map(|p| p + DVec3::X * 10.0);
         assert!((window.apparent(off).1 - 2.0 * OUTSIDE).abs() < 1e-12);
+        // It need not be cut, what is in the picture has to.
+        assert_eq!(window.apparent(off).0, 0.0);
+        assert!((window.apparent([a, b, c]).0 - 2.0).abs() < 1e-12);
     }
 }
