@@ -21,14 +21,8 @@ const ROUNDINGS: i32 = 64;
 /// A cell's places in a window, from its middle.
 const HALF_CELLS: i32 = (TILE as i32) << (FINE - 1);
 
-/// A triangle that rays may meet.
-#[derive(Clone, Copy, Debug)]
-struct Candidate {
-    /// Meshlet and number in it, 8 bits.
-    triangle: u32,
-    /// Rays that start farther on do not meet it.
-    farthest: i32,
-}
+/// Bits that are left off places along the rays where candidates keep them.
+const COARSE: u32 = 16;
 
 /// An actor's and a light's number.
 pub(super) type Key = (u16, u8);
@@ -50,7 +44,10 @@ pub(super) struct Window {
     scale: [i32; 2],
     /// Rays that start before this may meet others.
     nearest: i32,
-    list: [Candidate; MOST],
+    /// Triangles that rays may meet: meshlet, and number in it, 8 bits.
+    triangles: [u32; MOST],
+    /// Of each: rays that start farther on do not meet it. [`COARSE`].
+    farthest: [i16; MOST],
     /// A window's cells, 8 by 8: the triangles that a ray may meet there, first those of the
     /// first half of the list.
     bits: [Bits; 2],
@@ -105,10 +102,8 @@ impl Window {
         half: [0; 2],
         scale: [0; 2],
         nearest: 0,
-        list: [Candidate {
-            triangle: 0,
-            farthest: 0,
-        }; MOST],
+        triangles: [0; MOST],
+        farthest: [0; MOST],
         bits: [[0; TILE * TILE]; 2],
     };
 
@@ -184,13 +179,12 @@ impl Window {
                 if !cover_places(&places, Faces::BOTH, (size, around), bits, bit) {
                     return true;
                 }
-                let Some(slot) = self.list.get_mut(count) else {
+                let slots = (self.triangles.get_mut(count), self.farthest.get_mut(count));
+                let (Some(number), Some(reach)) = slots else {
                     return false;
                 };
-                *slot = Candidate {
-                    triangle: leaf.meshlet << 8 | u32::from(triangle),
-                    farthest,
-                };
+                *number = leaf.meshlet << 8 | u32::from(triangle);
+                *reach = (farthest >> COARSE) as i16;
                 count += 1;
                 true
             })
@@ -231,10 +225,11 @@ impl Window {
     ) -> bool {
         let mut candidates = core::iter::from_fn(|| {
             while bits != 0 {
-                let found = self.list.get(bits.trailing_zeros() as usize)?;
+                let at = bits.trailing_zeros() as usize;
+                let (triangle, farthest) = (self.triangles.get(at)?, self.farthest.get(at)?);
                 bits &= bits - 1;
-                if found.farthest >= start.ahead {
-                    return Some((found.triangle >> 8, found.triangle as u8));
+                if i32::from(*farthest) >= start.ahead >> COARSE {
+                    return Some((triangle >> 8, *triangle as u8));
                 }
             }
             None

@@ -1,17 +1,17 @@
 //! A picture of a scene by one of the renderers, on one thread.
 
+mod figures;
+
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use fixel::render::Ids;
 use fixel_bake::{BakeError, Baked, camera_in};
-use fixel_estimate::{Estimate, Model};
 use fixel_host::{Options, Planes};
 use fixel_reference::Truth;
 use fixel_scene::{Scene, Stereo};
 
 use crate::false_colour;
-use crate::state::BAND_ROWS;
 use crate::variant::{Job, Renderer, Show, Variant};
 
 /// What was drawn.
@@ -112,8 +112,8 @@ impl Drawer {
         let planes = fixel_host::render(&core, &options);
         let taken = started.elapsed();
         let bytes = baked.bytes().len();
-        let mut figures = raster_figures(&core, &planes, bytes, taken);
-        figures.extend(estimate(job, &core, &options, bytes));
+        let mut figures = figures::raster(&core, &planes, bytes, taken);
+        figures.extend(figures::estimate(job, &core, &options, bytes));
         let shown = |rgb: Vec<[u8; 3]>| first_samples(&core, &planes, &rgb);
         let covered = |i: usize| planes.depth.get(i).is_some_and(|depth| *depth != 0);
         let rgb = match job.show {
@@ -138,7 +138,7 @@ impl Drawer {
                 let counts = fixel_host::overdraw(&core, &options).ok_or(refused)?;
                 // What is baked without a palette is not what is shown otherwise.
                 figures.truncate(1);
-                figures.push(overdraw_figure(&counts));
+                figures.push(figures::overdraw(&counts));
                 shown(false_colour::counts(&counts))
             }
         };
@@ -167,7 +167,7 @@ impl Drawer {
                 core.triangle_count(),
                 baked.bytes().len()
             ),
-            drawn_here(started.elapsed()),
+            figures::drawn_here(started.elapsed()),
         ];
         let rgb = match job.show {
             Show::Depth => first_samples(&core, &planes, &false_colour::depth(&planes.depth)),
@@ -266,7 +266,7 @@ fn reference(job: &Job, scene: &Scene, [width, height]: [u32; 2], started: Insta
     };
     let figures = vec![
         format!("{} px covered, in full colour", truth.covered_px()),
-        drawn_here(started.elapsed()),
+        figures::drawn_here(started.elapsed()),
     ];
     (rgb, figures)
 }
@@ -307,62 +307,6 @@ fn enlarged(rgb: &[[u8; 3]], from: u32, [width, height]: [u32; 2], step: u32) ->
     let at = |x: u32, y: u32| rgb.get((y / step * from + x / step) as usize).copied();
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
     pixels.map(|(x, y)| at(x, y).unwrap_or_default()).collect()
-}
-
-fn raster_figures(
-    core: &fixel::Scene<'_>,
-    planes: &Planes,
-    bytes: usize,
-    taken: Duration,
-) -> Vec<String> {
-    let s = planes.stats;
-    let covered = planes.depth.iter().filter(|depth| **depth != 0).count();
-    vec![
-        format!(
-            "{} triangles, {} drawn; {covered} px covered; {} vertices transformed",
-            core.triangle_count(),
-            s.triangles_drawn,
-            s.vertices,
-        ),
-        format!(
-            "{} meshlets, {} drawn ({} outside, {} turned away); {} colours, {bytes} bytes of flash",
-            core.meshlet_count(),
-            s.meshlets_transformed,
-            s.meshlets_outside,
-            s.meshlets_away,
-            core.palette().len(),
-        ),
-        drawn_here(taken),
-    ]
-}
-
-/// What the frame takes on the chosen board.
-fn estimate(job: &Job, core: &fixel::Scene<'_>, options: &Options, bytes: usize) -> Option<String> {
-    let model = Model::fitted().ok()?;
-    let pose = options.pose(core);
-    let asked = (&pose, BAND_ROWS as u16);
-    let board = job.board();
-    let e = Estimate::new(&model, &board, core, asked, bytes as u64)?;
-    Some(format!(
-        "{}: about {:.2} M instructions, {:.1} frames/s, {} KB of RAM{}",
-        board.name,
-        e.instructions / 1e6,
-        e.frames_a_second,
-        e.ram_bytes().div_ceil(1024),
-        if e.fits(&board) { "" } else { ": does not fit" },
-    ))
-}
-
-fn drawn_here(taken: Duration) -> String {
-    format!("{:.1} ms on this computer", taken.as_secs_f64() * 1e3)
-}
-
-fn overdraw_figure(counts: &[u8]) -> String {
-    let drawn = counts.iter().filter(|count| **count > 0).count();
-    let sum: u64 = counts.iter().map(|count| u64::from(*count)).sum();
-    let most = counts.iter().max().copied().unwrap_or(0);
-    let mean = sum as f64 / drawn.max(1) as f64;
-    format!("drawn {mean:.2} times in the mean, {most} times at most (blue 1, white 8 and more)")
 }
 
 /// Which meshlet a triangle, an edge or a vertex is of.

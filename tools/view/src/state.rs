@@ -1,12 +1,13 @@
 //! What the user sees and how keys and mouse change it; knows no window.
 
+mod names;
+
 use std::sync::Arc;
 
 use fixel_estimate::{BOARDS, Board};
 use fixel_reference::camera_at;
 use fixel_scene::{
-    Camera, DITHERINGS, Display, PANELS, PanelDithering, Reach, Representation, Scene, Screen,
-    Stereo,
+    Camera, DITHERINGS, Display, PANELS, PanelDithering, Reach, Scene, Screen, Stereo,
 };
 
 use crate::camera;
@@ -159,13 +160,13 @@ impl State {
         };
         let mut words = vec![panel, format!("{:?}", display.colour).to_lowercase()];
         if display.colour.is_dithered() {
-            words.push(dithering_name(display.dithering).into());
+            words.push(names::dithering(display.dithering).into());
         }
         words.push(format!("by {}", self.renderer.name()));
         words.extend(
             self.variant
                 .representation
-                .map(|r| representation_name(r).into()),
+                .map(|r| names::representation(r).into()),
         );
         if self.is_stereo() {
             words.push("stereo".into());
@@ -378,24 +379,6 @@ impl State {
 fn after<T: Copy + PartialEq>(all: &[T], now: T) -> T {
     let place = all.iter().position(|one| *one == now).unwrap_or(0);
     all.get(place + 1).or(all.first()).copied().unwrap_or(now)
-}
-
-fn dithering_name(way: PanelDithering) -> &'static str {
-    let found = DITHERINGS.iter().find(|(_, own)| *own == way);
-    match found {
-        Some((_, own)) if *own == PanelDithering::None => "not dithered",
-        Some((name, _)) => name,
-        None => "",
-    }
-}
-
-fn representation_name(what: Representation) -> &'static str {
-    match what {
-        Representation::Surface => "surface",
-        Representation::Wireframe => "wireframe",
-        Representation::HiddenLine => "hidden lines",
-        Representation::Points => "points",
-    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 use super::*;
 use crate::keys::named;
-use fixel_scene::Projection;
+use fixel_scene::{Projection, Representation};
 
 fn state(scene: &str) -> State {
     let path = format!("{}/../../scenes/{scene}.toml", env!("CARGO_MANIFEST_DIR"));
