@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::problem::Result;
 use crate::report::{Tally, table};
-use crate::{accuracy, bench, footprint, paths, peers};
+use crate::{accuracy, bench, footprint, paths, peers, scene};
 
 /// Takes all figures and writes the README's tables anew, between the comments
 /// that name them.
@@ -77,10 +77,14 @@ fn summary(bench: &Value, footprint: &Value, accuracy: &Value) -> String {
             .unwrap_or_default();
         format!("{:.1} KB", bytes / 1000.0)
     };
-    let scenes: Vec<&Value> = accuracy
-        .as_object()
-        .into_iter()
-        .flatten()
+    // Levels of detail show other surfaces than the reference, on purpose.
+    let whole = |name: &str| {
+        let scene = fixel_scene::load(&scene::file(name));
+        scene.is_ok_and(|scene| scene.lod.is_none())
+    };
+    let scenes = accuracy.as_object().into_iter().flatten();
+    let scenes: Vec<&Value> = scenes
+        .filter(|(name, _)| whole(name))
         .map(|(_, figures)| &figures["raster"])
         .collect();
     let wrong: Vec<u64> = scenes
