@@ -79,13 +79,14 @@ pub fn run(tally: &mut Tally, options: &Options) -> Result<Value> {
             tally.skip(&format!("fit of {target}"), "nothing was counted");
             continue;
         }
-        let each = fit(&fitted);
+        let before = before(&model, target);
+        let each = fit(&fitted, &before);
         let held = || rows.iter().filter(|row| row.is_held_out());
         let (whole, varied) = held().partition::<Vec<_>, _>(|row| row.case.variant == AS_IT_IS);
         report(target, "fitted", &fitted, &each);
         report(target, "not fitted, changed", &varied, &each);
         let worst = report(target, "not fitted", &whole, &each);
-        crosswise(target, &rows);
+        crosswise(target, &rows, &before);
         let what = format!("scenes that {target} was not fitted to");
         tally.check(&what, near_enough(worst));
         let named = Term::ALL.iter().zip(&each);
@@ -193,7 +194,23 @@ fn rows<'a>(cases: &'a [Case], counts: &[Count], target: &str) -> Vec<Row<'a>> {
         .collect()
 }
 
-fn fit(rows: &[&Row<'_>]) -> Vec<f64> {
+/// What each term took by the last fit.
+fn before(model: &Model, target: &str) -> Vec<f64> {
+    let each = model.instructions.get(target);
+    let of = |term: &Term| each.and_then(|each| each.get(term.name()));
+    let all = Term::ALL.iter();
+    all.map(|term| of(term).copied().unwrap_or(0.0)).collect()
+}
+
+/// Fits to the counts and, as much as to one frame for each term, to the last fit: what no
+/// scene tells apart stays what it was.
+fn fit(rows: &[&Row<'_>], before: &[f64]) -> Vec<f64> {
+    let stays = before.iter().enumerate().filter(|(_, each)| **each > 0.0);
+    let stays = stays.map(|(term, each)| {
+        let mut row = vec![0.0; before.len()];
+        row[term] = 1.0;
+        (row, *each)
+    });
     let rows: Vec<(Vec<f64>, f64)> = rows
         .iter()
         .flat_map(|row| {
@@ -201,6 +218,7 @@ fn fit(rows: &[&Row<'_>]) -> Vec<f64> {
             let row = (row.case.work.all().to_vec(), row.instructions);
             std::iter::repeat_n(row, times)
         })
+        .chain(stays)
         .collect();
     non_negative(&rows, Term::ALL.len())
 }
@@ -234,7 +252,7 @@ fn report(target: &str, what: &str, rows: &[&Row<'_>], each: &[f64]) -> f64 {
 
 /// Prints how well scenes are foretold by the others: each is in one of some parts, which
 /// are left out in turn.
-fn crosswise(target: &str, rows: &[Row<'_>]) {
+fn crosswise(target: &str, rows: &[Row<'_>], before: &[f64]) {
     let mut names: Vec<&str> = rows.iter().map(|row| row.case.scene.as_str()).collect();
     names.dedup();
     let (mut sum, mut over, mut worst) = (0.0, 0, (0.0, ""));
@@ -244,7 +262,7 @@ fn crosswise(target: &str, rows: &[Row<'_>]) {
             place.is_some_and(|place| place % FOLDS == fold)
         };
         let others: Vec<&Row> = rows.iter().filter(|row| !left_out(row)).collect();
-        let each = fit(&others);
+        let each = fit(&others, before);
         for row in rows.iter().filter(left_out) {
             let off = row.off(&each).abs();
             sum += off;

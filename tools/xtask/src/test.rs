@@ -9,7 +9,7 @@ use crate::measure::Target;
 use crate::problem::Result;
 use crate::report::Tally;
 use crate::{
-    accepted, accuracy, child, examples, firmware, footprint, fuzz, gallery, gba, hostbench, links,
+    accepted, accuracy, child, examples, firmware, footprint, gallery, gba, hostbench, links,
     package, panels, parity, paths, picture, pictures, scene, soak, supply, template, toolchain,
     view, web,
 };
@@ -18,7 +18,7 @@ use crate::{
 type Stage = (&'static str, fn(&mut Tally));
 
 /// In this order: what is quick and fails often comes first.
-const STAGES: [Stage; 20] = [
+const STAGES: [Stage; 19] = [
     ("format", format),
     ("lints", lints),
     ("supply", supply::run),
@@ -39,12 +39,6 @@ const STAGES: [Stage; 20] = [
     ("accuracy", |tally| {
         let result = accuracy::run(tally, None);
         tally.need("accuracy", result);
-    }),
-    ("fuzz", |tally| {
-        let result = fuzz::run(tally, &[], 60);
-        if let Some(figures) = tally.need("fuzz", result) {
-            eprintln!("{}", fuzz::markdown(&figures));
-        }
     }),
     ("soak", |tally| {
         let result = soak::run(tally, 20_000, 500);
