@@ -9,7 +9,7 @@ use crate::vertex::{COLOUR_ROOM, Room, ScreenVertex, TransformedMeshlet};
 /// colours at vertices, which most are, four meshlets are kept where three slots are.
 const ROOM: usize = MESHLET_VERTICES + COLOUR_ROOM;
 /// Meshlets that are kept in the room of a slot, at most.
-const IN_SLOT: usize = if COLOUR_ROOM > 0 { 2 } else { 1 };
+const IN_SLOT: usize = if COLOUR_ROOM == 0 { 1 } else { 2 };
 
 /// The memory of a slot for vertices.
 pub(super) type SlotRoom = [ScreenVertex; ROOM];
