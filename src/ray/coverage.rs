@@ -1,8 +1,7 @@
 //! Which pixels of a tile a triangle may cover: a screen's edge functions, with a margin
 //! for all that roundings take. What is exact follows for those pixels only.
 
-use super::beam::{Beam, Projection, TileRays};
-use super::ray::between;
+use super::beam::{Beam, Projection};
 use super::triangle::Faces;
 use crate::math::{Rect, mul_high, reciprocal};
 
@@ -13,8 +12,6 @@ pub(super) const FINE: i32 = 5;
 /// What a corner may be off: three products rounded down and one more, and once more
 /// where it is halved.
 const OFF: i32 = 2;
-/// What a rectangle's corner may be off besides.
-const CORNER: i32 = 1 << (FINE - 2);
 /// Bits of a corner's place, so that edge functions fit 30.
 const PLACE_BITS: u32 = 13;
 
@@ -137,43 +134,6 @@ pub(super) fn cover_places(
     any
 }
 
-/// Sets a rectangle's bit in all pixels of a camera's tile that it may cover; its corners
-/// are raw world bits, two of them opposite.
-#[inline(never)]
-pub(super) fn cover_rectangle(
-    rays: &TileRays,
-    eye: [i32; 3],
-    corners: &[[i32; 3]; 8],
-    size: [u16; 2],
-    bits: &mut Bits,
-    bit: u32,
-) -> bool {
-    let Some(beam) = Projection::new([rays.middle, rays.across, rays.down], rays.up) else {
-        return all(bits, bit);
-    };
-    // What corners are rounded by shows where they are near.
-    const NEAREST: u32 = 1 << 14;
-    let [a, b, c, d, ..] = *corners;
-    let offs = [a, b, c, d].map(|corner| between(corner, eye));
-    let size_of = |off: [i32; 3]| off.into_iter().fold(0, |m, c| m | c.unsigned_abs());
-    let most = offs.iter().fold(0, |m, off| m | size_of(*off));
-    if offs.iter().any(|off| size_of(*off) < NEAREST) {
-        return all(bits, bit);
-    }
-    // All to 29 bits.
-    let up = most.leading_zeros() as i32 - 3;
-    let places = offs.map(|off| {
-        let fine = off.map(|c| if up >= 0 { c << up } else { c >> -up });
-        on_screen(&beam, fine)
-    });
-    let [Some(a), Some(b), Some(c), Some(d)] = places else {
-        return all(bits, bit);
-    };
-    let size = (size, CORNER);
-    let first = cover_places(&[a, b, c], Faces::BOTH, size, bits, bit);
-    cover_places(&[b, c, d], Faces::BOTH, size, bits, bit) | first
-}
-
 /// Sets a bit in all pixels of a tile that lie within bounds.
 #[inline(never)]
 pub(super) fn cover_bounds(bounds: &Rect, tile: &Rect, bits: &mut Bits, bit: u32) -> bool {
@@ -202,7 +162,8 @@ pub(super) fn pixels(low: i32, high: i32, size: i32) -> Option<[u32; 2]> {
     (first <= last).then_some([first as u32, last as u32])
 }
 
-fn all(bits: &mut Bits, bit: u32) -> bool {
+/// Sets a bit in all pixels.
+pub(super) fn all(bits: &mut Bits, bit: u32) -> bool {
     for pixel in bits {
         *pixel |= bit;
     }

@@ -5,8 +5,9 @@ use super::actor::{Form, RayActor};
 use super::actors::RayActors;
 use super::beam::{Beam, TileRays};
 use super::camera::RayCamera;
-use super::coverage::{Bits, TILE, cover, cover_bounds, cover_rectangle};
+use super::coverage::{Bits, TILE, cover, cover_bounds};
 use super::hierarchy::{Hierarchy, Stack};
+use super::outline::cover_rectangle;
 use super::parts::Seen;
 use super::pause::Pause;
 use crate::math::Rect;
@@ -277,9 +278,10 @@ fn cover_exact(
 ) -> bool {
     match actor.form {
         Form::Rectangle { half, .. } => {
-            let sides = actor.rectangle_corners(half);
+            // Two and two of them opposite.
+            let [a, b, d, c, ..] = actor.rectangle_corners(half);
             let size = [tile.width(), tile.height()];
-            cover_rectangle(rays, eye, &sides, size, bits, bit)
+            cover_rectangle(rays, eye, [a, b, c, d], size, bits, bit)
         }
         _ => cover_bounds(bounds, tile, bits, bit),
     }

@@ -21,6 +21,7 @@ mod holes;
 mod leaves;
 mod light;
 mod nearest;
+mod outline;
 mod parts;
 mod pause;
 mod progressive;
