@@ -76,6 +76,13 @@ impl Scaled {
         Self::nearly_normal((large.mantissa >> 1) + small, large.exponent + 1)
     }
 
+    /// `2^by` times as much.
+    #[must_use]
+    pub fn shifted(self, by: i32) -> Self {
+        let exponent = self.exponent.saturating_add(by).clamp(-4096, 4096);
+        Self { exponent, ..self }
+    }
+
     /// With `bits` fractional bits, rounded down; saturates.
     pub fn fixed(self, bits: u32) -> u32 {
         let up = self.exponent + bits as i32;

@@ -250,15 +250,14 @@ impl RayActor {
 
     /// What a place on its surface may be off, raw world bits.
     pub(super) fn roughness(&self) -> u32 {
-        self.step.times(Scaled::new(4, 0)).fixed(0).min(1 << 24)
+        self.step.shifted(2).fixed(0).min(1 << 24)
     }
 
     /// Raw bits of the way along a ray a `2^-fraction` grid step of one axis, on which
     /// the direction's component is `along` (Q28).
     pub(super) fn way(&self, along: i32, fraction: i32) -> Scaled {
         let along = scaled_reciprocal(Scaled::new(along.unsigned_abs(), -28));
-        let way = along.times(self.step);
-        Scaled::new(way.mantissa(), way.exponent() - fraction)
+        along.times(self.step).shifted(-fraction)
     }
 }
 

@@ -64,31 +64,47 @@ impl Hierarchy<'_> {
         range: (i32, i32),
         triangles: impl Iterator<Item = (u32, u8)>,
     ) -> bool {
-        let mut triangles = triangles;
-        triangles.any(|triangle| match ray.axes {
-            [.., 0] => self.is_met::<0>(ray, range, triangle),
-            [.., 1] => self.is_met::<1>(ray, range, triangle),
-            _ => self.is_met::<2>(ray, range, triangle),
-        })
+        match ray.axes {
+            [.., 0] => self.any_along_of::<0>(ray, range, triangles),
+            [.., 1] => self.any_along_of::<1>(ray, range, triangles),
+            _ => self.any_along_of::<2>(ray, range, triangles),
+        }
     }
 
-    /// Whether a ray whose third axis is known to the compiler meets a triangle.
+    /// The same of a ray whose third axis is known to the compiler.
     #[inline(never)]
-    fn is_met<const THIRD: usize>(
+    fn any_along_of<const THIRD: usize>(
         &self,
         ray: &GridRay,
         range: (i32, i32),
-        (meshlet, first): (u32, u8),
+        triangles: impl Iterator<Item = (u32, u8)>,
     ) -> bool {
         let axes = AXES.get(THIRD).copied().unwrap_or(ray.axes);
-        let mut way = Way::new(Faces::BOTH, range);
-        let leaf = Leaf {
-            meshlet,
-            first,
-            count: 1,
-        };
-        self.leaf(&GridRay { axes, ..*ray }, leaf, Wanted::Any, &mut way);
-        way.count != 0
+        let ray = &GridRay { axes, ..*ray };
+        // The meshlet of the last one: neighbours mostly have the same.
+        let mut last = None;
+        for number in triangles {
+            let (meshlet, _) = number;
+            if last.is_none_or(|(known, _)| known != meshlet) {
+                let Some(words) = self.meshlets.get(meshlet as usize) else {
+                    continue;
+                };
+                let points =
+                    Points::new(self.scene, self.mesh, Meshlet::from_words(words), &ray.from);
+                last = Some((meshlet, points));
+            }
+            let Some((_, points)) = &last else { continue };
+            let Some(hit) = meet(ray, points, number, Faces::BOTH, range) else {
+                continue;
+            };
+            let hole = self
+                .holes
+                .is_some_and(|texture| self.is_hole(texture, ray, &hit));
+            if !hole {
+                return true;
+            }
+        }
+        false
     }
 
     /// What a ray meets of a leaf's triangles.

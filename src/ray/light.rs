@@ -256,8 +256,9 @@ fn passes(
         if actor.radius == 0 || ray.on == number.wrapping_add(1) {
             continue;
         }
-        // A ball's test begins with the same.
-        if !actor.is_exact() && actor.missed(ray, ray.far) {
+        // A ball's test begins with the same, and windows are asked before.
+        let asks = actor.is_exact() || (parallel.is_some() && actor.is_opaque());
+        if !asks && actor.missed(ray, ray.far) {
             continue;
         }
         let left = (1u32 << 16).saturating_sub(actor.optics.opacity);

@@ -152,7 +152,7 @@ impl RayActor {
             }
             _ => return self.count_ball(scene, ray),
         };
-        let opaque = self.optics.opacity >= 1 << 16;
+        let opaque = self.is_opaque();
         if opaque && let Some(parallel) = parallel {
             return windows.any(self, scene, ray, parallel).into();
         }
@@ -190,6 +190,11 @@ impl RayActor {
     /// Whether it is met as a ball or a rectangle: a ray that starts on it is told so.
     pub(super) fn is_exact(&self) -> bool {
         !matches!(self.form, Form::Triangles { .. })
+    }
+
+    /// Whether no light goes through its surface.
+    pub(super) fn is_opaque(&self) -> bool {
+        self.optics.opacity >= 1 << 16
     }
 
     /// How far from its surface a ray has to start that shall not meet it again: what

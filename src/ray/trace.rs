@@ -218,7 +218,11 @@ impl Tracer<'_> {
             surface,
             material,
             eye: shorten(ray.direction.map(|c| -c)),
-            lift: actor.lift(met.distance),
+            lift: if self.settings.shadows {
+                actor.lift(met.distance)
+            } else {
+                0
+            },
             distance: met.distance,
             spread,
             on: if exact { met.actor + 1 } else { 0 },

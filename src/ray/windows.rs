@@ -103,7 +103,8 @@ impl Windows {
         }
     }
 
-    /// Whether a ray to a directional light meets any triangle of an actor.
+    /// Whether a ray to a directional light meets any triangle of an actor. Its sphere is tried only
+    /// where no window holds the ray.
     #[inline(never)]
     pub(super) fn any(
         &mut self,
@@ -121,6 +122,9 @@ impl Windows {
             {
                 return window.any(actor, scene, ray, &start, &mut self.left);
             }
+        }
+        if actor.missed(ray, ray.far) {
+            return false;
         }
         let made = self.make(actor, scene, ray, (key, parallel.source));
         let window = made.and_then(|(which, start)| Some((self.all.get(which)?, start)));
