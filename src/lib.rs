@@ -49,7 +49,7 @@
 //!     lcd: D,
 //!     renderer: &mut Renderer<320, 16>, // columns, rows of a band
 //! ) -> Result<(), SceneError> {
-//!     let scene = Scene::parse(blob)?; // checks every number once
+//!     let scene = Scene::embedded(blob)?; // whole, and nothing missing in this program
 //!     let mut panel = DrawTargetDisplay::new(lcd, Point::zero());
 //!     for frame in 0.. {
 //!         let pose = scene.pose(frame); // camera, turns: change what you like
@@ -61,7 +61,9 @@
 //! }
 //! ```
 //!
-//! Bytes that are no scene are refused, with what is wrong with them:
+//! The baker has checked every number of it. Blobs from elsewhere, such as an SD card, are for
+//! [`Scene::parse`], which does so again. Bytes that are no scene are refused, with what is wrong
+//! with them:
 //!
 //! ```
 //! use fixel::{Aligned, Scene, SceneError};

@@ -25,7 +25,7 @@ impl<const WIDTH: usize> Animated<WIDTH> {
     /// If it is damaged.
     pub fn new(scene: &'static [u8]) -> Result<Self, SceneError> {
         Ok(Self {
-            scene: Scene::parse(scene)?,
+            scene: Scene::embedded(scene)?,
             renderer: Renderer::new(),
         })
     }

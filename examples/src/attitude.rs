@@ -23,7 +23,7 @@ impl Attitude {
     /// If it is damaged.
     pub fn new() -> Result<Self, SceneError> {
         Ok(Self {
-            scene: Scene::parse(SCENE)?,
+            scene: Scene::embedded(SCENE)?,
             renderer: Renderer::new(),
         })
     }

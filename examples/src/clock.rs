@@ -29,7 +29,7 @@ impl Clock {
     /// If it is damaged.
     pub fn new() -> Result<Self, SceneError> {
         Ok(Self {
-            scene: Scene::parse(SCENE)?,
+            scene: Scene::embedded(SCENE)?,
             renderer: Renderer::new(),
         })
     }

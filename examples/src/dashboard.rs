@@ -48,7 +48,7 @@ impl Dashboard {
     /// If it is damaged.
     pub fn new() -> Result<Self, SceneError> {
         Ok(Self {
-            scene: Scene::parse(SCENE)?,
+            scene: Scene::embedded(SCENE)?,
             renderer: Renderer::new(),
         })
     }

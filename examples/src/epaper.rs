@@ -25,7 +25,7 @@ impl Epaper {
     /// If it is damaged.
     pub fn new() -> Result<Self, SceneError> {
         Ok(Self {
-            scene: Scene::parse(SCENE)?,
+            scene: Scene::embedded(SCENE)?,
             indices: [[0; SIDE]; 4],
             depths: [[0; SIDE]; 4],
             scratch: RayScratch::new(),

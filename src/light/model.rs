@@ -313,5 +313,6 @@ impl SurfaceLights {
 /// A coefficient of up to 14 bits times a sum of light; rounded to nearest.
 fn part(coefficient: u32, sum: u32) -> u32 {
     // 14 bits and 18.
-    (coefficient * (sum >> 2) + (1 << 11)) >> (ONE_BITS - 2)
+    let product = coefficient.wrapping_mul(sum >> 2);
+    product.wrapping_add(1 << 11) >> (ONE_BITS - 2)
 }

@@ -1,4 +1,6 @@
-//! Accessors that cannot fail: indices were checked when the scene was parsed.
+//! Accessors that cannot fail. Indices were checked when the scene was parsed or baked; what
+//! the rest of the core takes to be in range is brought into it here all the same, for
+//! [`Scene::embedded`].
 
 use super::viewport::Gradient;
 use super::{
@@ -101,7 +103,7 @@ impl<'a> Scene<'a> {
     /// An actor; an index out of range gives an actor without meshlets.
     #[inline(never)]
     pub fn actor(&self, index: u16) -> Actor {
-        read(self.actors, usize::from(index)).unwrap_or(Actor {
+        let mut actor = read(self.actors, usize::from(index)).unwrap_or(Actor {
             mesh: u16::MAX,
             material: 0,
             position: [0; 3],
@@ -112,7 +114,11 @@ impl<'a> Scene<'a> {
             parent: None,
             still: false,
             part: false,
-        })
+        });
+        let (least, most) = layout::STEP_EXPONENTS;
+        actor.step_mantissa = actor.step_mantissa.max(1 << 31);
+        actor.step_exponent = actor.step_exponent.clamp(least, most);
+        actor
     }
 
     /// What an actor is a part of: its parent if it is a further part of that, else
@@ -139,10 +145,10 @@ impl<'a> Scene<'a> {
         self.meshes.len() as u16
     }
 
-    /// A mesh; an index out of range gives an empty one.
+    /// A mesh; an index out of range gives an empty one. None has more meshlets than there are.
     #[inline(never)]
     pub fn mesh(&self, index: u16) -> Mesh {
-        read(self.meshes, usize::from(index)).unwrap_or(Mesh {
+        let mut mesh = read(self.meshes, usize::from(index)).unwrap_or(Mesh {
             first_meshlet: 0,
             meshlets: 0,
             radius: layout::LEAST_RADIUS,
@@ -152,7 +158,9 @@ impl<'a> Scene<'a> {
             coordinates: None,
             levels: (0, 0),
             error: 0,
-        })
+        });
+        mesh.meshlets = mesh.meshlets.min(self.meshlets.len() as u32);
+        mesh
     }
 
     /// Whether some material goes by colour where it may be lit at vertices.
@@ -222,7 +230,9 @@ impl<'a> Scene<'a> {
 
     /// A texture; an index out of range gives none.
     pub fn texture(&self, index: u8) -> Option<Texture> {
-        read(self.textures, usize::from(index))
+        let mut texture: Texture = read(self.textures, usize::from(index))?;
+        texture.size = texture.size.map(|size| size.min(layout::TEXTURE_SIZE));
+        Some(texture)
     }
 
     /// Number of textures.

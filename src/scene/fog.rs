@@ -83,9 +83,6 @@ impl Scene<'_> {
         let Some(fog) = self.fog() else {
             return Ok(());
         };
-        if !cfg!(feature = "fog") {
-            return Err(SceneError::Feature { name: "fog" });
-        }
         let mut before = 0;
         for distance in fog.distances.map(i64::from) {
             let most = i32::MAX.into();

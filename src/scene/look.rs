@@ -142,9 +142,6 @@ impl<'a> Scene<'a> {
 
     pub(super) fn check_looks(&self) -> Result<(), SceneError> {
         let s = Section::Looks;
-        if !cfg!(feature = "lines") && !self.looks.is_empty() {
-            return Err(SceneError::Feature { name: "lines" });
-        }
         let actors = self.actors.len() as i64;
         let mut least = 0;
         for (at, words) in self.looks.iter().enumerate() {

@@ -62,6 +62,8 @@ pub mod layout {
     pub const COLOURS: usize = 1 << 12;
     /// Most meshlets of a scene.
     pub const MESHLETS: usize = 1 << 25;
+    /// `log2` of the most texels that a texture is wide or high.
+    pub const TEXTURE_SIZE: u8 = 10;
     /// Base colours of all textures.
     pub const BASES: usize = 64;
     /// Entries of a table from light level (64 of them) and base colour to index.

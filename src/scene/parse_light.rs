@@ -35,13 +35,17 @@ impl Scene<'_> {
     pub(super) fn check_textures(&self) -> Result<(), SceneError> {
         let s = Section::Textures;
         count(s, self.textures.len(), 0, 255)?;
-        if !cfg!(feature = "texture") && !self.textures.is_empty() {
-            return Err(SceneError::Feature { name: "texture" });
-        }
         for (i, words) in self.textures.iter().enumerate() {
             let texture = Texture::from_words(words);
             for size in texture.size {
-                range(s, i, Field::Size, size.into(), 0, 10)?;
+                range(
+                    s,
+                    i,
+                    Field::Size,
+                    size.into(),
+                    0,
+                    layout::TEXTURE_SIZE.into(),
+                )?;
             }
             range(s, i, Field::Count, texture.copies.into(), 1, 11)?;
             let last = self.texels.len() as i64 - i64::from(texture.texels());
@@ -80,12 +84,6 @@ impl Scene<'_> {
         let s = Section::Materials;
         for (i, words) in self.materials.iter().enumerate() {
             let material = Material::from_words(words);
-            if !cfg!(feature = "light") && (material.full || material.coloured) {
-                return Err(SceneError::Feature { name: "light" });
-            }
-            if !cfg!(feature = "gouraud") && material.shading != Shading::Flat {
-                return Err(SceneError::Feature { name: "gouraud" });
-            }
             let [shading, cull, ..] = words.first().map_or([0; 4], |w| w.to_ne_bytes());
             let most = |all: usize| all as i64 - 1;
             range(
@@ -131,11 +129,6 @@ impl Scene<'_> {
 
     fn check_transparency(&self, i: usize, material: &Material) -> Result<(), SceneError> {
         let s = Section::Materials;
-        if !cfg!(feature = "transparency") && material.transparency != Transparency::Opaque {
-            return Err(SceneError::Feature {
-                name: "transparency",
-            });
-        }
         match material.transparency {
             Transparency::Opaque => Ok(()),
             Transparency::ScreenDoor { first, pixels } => {

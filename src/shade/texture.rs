@@ -133,7 +133,7 @@ impl<'a> Sampler<'a> {
             if up >= 0 {
                 c << up.min(30)
             } else {
-                c >> up.wrapping_neg()
+                c >> up.wrapping_neg().min(63)
             }
         };
         let [u, v] = coordinates.origin;

@@ -32,13 +32,13 @@ pub(crate) fn outcode(view: &ActorView, [x, y, distance]: [i32; 3]) -> u8 {
         code |= outside::FAR;
     }
     let guard = guard(view, distance);
-    if x < -guard {
+    if x < guard.wrapping_neg() {
         code |= outside::LEFT;
     }
     if x > guard {
         code |= outside::RIGHT;
     }
-    if y < -guard {
+    if y < guard.wrapping_neg() {
         code |= outside::ABOVE;
     }
     if y > guard {

@@ -133,8 +133,8 @@ impl ActorView {
         let centre = [cx, -cy, distance]; // y down, distance along the line of sight
 
         // A sphere about it, in the same units, and the actor's clip unit.
-        let radius = (i64::from(mesh.radius) * i64::from(step_mantissa)) >> 1;
-        let radius = shift(radius, step_exponent).saturating_add(1);
+        let radius = (u64::from(mesh.radius) * u64::from(step_mantissa)) >> 1;
+        let radius = shift(radius as i64, step_exponent).saturating_add(1);
         let farthest = centre.iter().fold(0, |m: i64, c| m.max(c.abs()));
         // Sheared, a sphere reaches less than twice as far.
         let radius = radius << u32::from(frame.shear != 0);

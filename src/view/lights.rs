@@ -49,7 +49,8 @@ impl ModelLights {
             let strength = (strength * 255) >> 6;
             *slot = to_model
                 .apply(light.towards)
-                .map(|c| ((i64::from(c) * strength as i64 + (1 << 29)) >> 30) as i32);
+                .map(|c| i64::from(c).wrapping_mul(strength as i64))
+                .map(|c| (c.wrapping_add(1 << 29) >> 30) as i32);
         }
     }
 
@@ -88,7 +89,8 @@ impl ModelLights {
         let mut level = self.ambient;
         for light in self.lights.iter().take(self.count) {
             let [lx, ly, lz] = light.map(|c| c >> extra);
-            let dot = (x * lx + y * ly + z * lz).max(0) as u32;
+            let [x, y, z] = [x.wrapping_mul(lx), y.wrapping_mul(ly), z.wrapping_mul(lz)];
+            let dot = x.wrapping_add(y).wrapping_add(z).max(0) as u32;
             // 65535 is past full light for every length; see the test.
             level += ((dot >> 9).min(65535) * recip) >> 17;
         }

@@ -54,7 +54,7 @@ impl<'a> Demo<'a> {
     /// # Errors
     /// If the blob is not a scene, one of several samples a pixel, or without a palette.
     pub fn new<E>(blob: &'a [u8], (width, height): (u16, u16)) -> Result<Self, DemoError<E>> {
-        let scene = Scene::parse(blob).map_err(DemoError::Scene)?;
+        let scene = Scene::embedded(blob).map_err(DemoError::Scene)?;
         if scene.output().is_resolved() {
             return Err(DemoError::Samples);
         }

@@ -52,7 +52,7 @@ pub fn draw(
     send: impl FnMut(&[u8]),
 ) -> Result<(), EngineError> {
     // Used where it is: it is half a kilobyte.
-    match &engine::parse(blob) {
+    match &Scene::embedded(blob) {
         Ok(scene) if scene.output().is_resolved() => Err(EngineError::Samples),
         Ok(scene) if scene.is_direct() => Err(EngineError::Direct),
         Ok(scene) => show(scene, frame, memory, send),

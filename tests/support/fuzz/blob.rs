@@ -17,7 +17,7 @@ pub fn blob(bytes: &[u8]) {
 
 /// With magic number, version, length and checksum as they should be, so that what comes
 /// after them is looked at.
-fn made_good(bytes: &[u8]) -> Option<Vec<u8>> {
+pub fn made_good(bytes: &[u8]) -> Option<Vec<u8>> {
     let mut words: Vec<u32> = bytes
         .chunks_exact(4)
         .map(|c| u32::from_le_bytes([c[0], c[1], c[2], c[3]]))

@@ -11,7 +11,7 @@ mod files;
 mod numbers;
 mod scene;
 
-pub use blob::blob;
+pub use blob::{blob, made_good};
 pub use calls::calls;
 pub use files::{mesh, picture, text};
 pub use scene::scene;

@@ -162,12 +162,20 @@ impl Input {
             Some(most) => self.reduce(most)?,
             None => Vec::new(),
         };
+        let mistake = self.refused("became a blob that is refused, a mistake of the baker");
         let baked = if options.rays == Some(true) {
             self.bake_for_rays()?
         } else {
             self.bake()?
         };
-        Ok((baked, reduced))
+        // What firmware takes from `Scene::embedded` without looking at it again.
+        match baked.scene() {
+            Ok(_) => Ok((baked, reduced)),
+            Err(error) => Err(Error {
+                message: format!("{}: {error}", mistake.message),
+                ..mistake
+            }),
+        }
     }
 }
 

@@ -152,7 +152,7 @@ pub(crate) fn program(scene: &Scene<'_>, panel: &Panel, name: &str, rays: bool) 
          }}\n\n\
          /// Shows frame after frame on {who}.\n\
          pub fn animate<P: {bound}>(panel: P, memory: &mut Memory) -> Result<(), P::Error> {{\n    \
-             let scene = Scene::parse(SCENE).expect(\"a scene that fixel has baked\");\n\
+             let scene = Scene::embedded(SCENE).expect(\"a scene that fixel has baked\");\n\
              {band}{wrapped}    \
              for frame in 0.. {{\n\
                  {draw}    \
