@@ -1,7 +1,7 @@
 //! One actor in one frame, as rays meet it.
 
+use super::faces::Faces;
 use super::ray::between;
-use super::triangle::Faces;
 use crate::math::{Scaled, Unit3, leading_zeros, mul_high, scaled_reciprocal};
 use crate::scene::{Actor, Cull, Node, Optics, Place, Record, Scene, Shape};
 use crate::view::ModelFrame;

@@ -3,9 +3,9 @@
 //! for ray/sphere intersection", Ray Tracing Gems, 2019).
 
 use super::actor::{Form, RayActor, plus};
+use super::faces::Faces;
 use super::ray::{FAR, Ray, between};
 use super::surface::Surface;
-use super::triangle::Faces;
 use crate::math::{Scaled, Unit3, mul_high, mul_q30, root, square, unit, unit_vector};
 use crate::scene::{Scene, Shape};
 

@@ -1,7 +1,7 @@
 //! Rays through the pixels of a viewport.
 
-use super::beam::TileRays;
 use super::ray::{FAR, Ray, moved};
+use super::screen::TileRays;
 use crate::math::{
     Reciprocal, Rect, SUBPX_BITS, Scaled, Unit3, Vec3, mul_high_u, reciprocal, unit,
 };

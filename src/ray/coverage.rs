@@ -1,8 +1,8 @@
 //! Which pixels of a tile a triangle may cover: a screen's edge functions, with a margin
 //! for all that roundings take. What is exact follows for those pixels only.
 
-use super::beam::{Beam, Projection};
-use super::triangle::Faces;
+use super::faces::Faces;
+use super::screen::Projection;
 use crate::math::{Rect, mul_high, reciprocal};
 
 /// Columns and rows of a tile.
@@ -22,14 +22,13 @@ pub(super) type Bits = [u32; TILE * TILE];
 /// and high; says whether there are any.
 #[inline(never)]
 pub(super) fn cover(
-    beam: &Beam,
+    screen: &Projection,
     corners: &[[i32; 3]; 3],
     faces: Faces,
     size: [u16; 2],
     bits: &mut Bits,
     bit: u32,
 ) -> bool {
-    let screen = &beam.screen;
     let [Some(a), Some(b), Some(c)] = corners.map(|corner| on_screen(screen, corner)) else {
         return all(bits, bit);
     };

@@ -5,58 +5,13 @@ use super::light::Seed;
 use super::nearest::Met;
 use super::ray::{FAR, Ray, moved};
 use super::trace::{Local, OF_OTHERS, ONE, Tracer};
+use super::waiting::Waiting;
 use crate::light::Lit;
 use crate::math::{Unit3, dot};
 use crate::scene::Optics;
 
-/// Rays that wait: every one of a chain of 8 leaves one behind, and the last two.
-const WAITING: usize = 10;
 /// Rays of less weight show nothing: an eighth of a level.
 const LEAST: u32 = 1 << 5;
-
-/// A ray that waits for its turn.
-#[derive(Clone, Copy, Debug)]
-struct Waiting {
-    origin: [i32; 3],
-    direction: Unit3,
-    weight: u32,
-    /// See [`Ray::on`].
-    on: u16,
-    /// Rays that may still follow one after the other, itself counted.
-    left: u8,
-}
-
-/// Rays that wait for their turn.
-#[derive(Debug)]
-pub(super) struct WaitingRays {
-    all: [Waiting; WAITING],
-    count: usize,
-}
-
-impl WaitingRays {
-    pub(super) const NONE: Self = Self {
-        all: [Waiting {
-            origin: [0; 3],
-            direction: [0; 3],
-            weight: 0,
-            on: 0,
-            left: 0,
-        }; WAITING],
-        count: 0,
-    };
-
-    fn push(&mut self, ray: Waiting) {
-        if let Some(slot) = self.all.get_mut(self.count) {
-            *slot = ray;
-            self.count += 1;
-        }
-    }
-
-    fn pop(&mut self) -> Option<Waiting> {
-        self.count = self.count.checked_sub(1)?;
-        self.all.get(self.count).copied()
-    }
-}
 
 impl Tracer<'_> {
     /// The colour of a surface and of all rays that go on from it.
@@ -70,7 +25,7 @@ impl Tracer<'_> {
             on: ray.on,
             left: self.settings.depth,
         };
-        self.waiting.count = 0;
+        self.waiting.clear();
         self.add(&first, local, met, &mut sums);
         while let Some(now) = self.waiting.pop() {
             let ray = Ray {

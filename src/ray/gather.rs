@@ -3,39 +3,16 @@
 
 use super::actor::{Form, RayActor};
 use super::actors::RayActors;
-use super::beam::{Beam, TileRays};
+use super::beam::Beam;
 use super::camera::RayCamera;
+use super::candidates::{Candidate, Candidates, MOST};
 use super::coverage::{Bits, TILE, cover, cover_bounds};
 use super::hierarchy::{Hierarchy, Stack};
 use super::outline::cover_rectangle;
-use super::parts::Seen;
 use super::pause::Pause;
+use super::screen::TileRays;
 use crate::math::Rect;
 use crate::scene::{Child, Leaf, Scene};
-
-/// Most triangles or parts of a tile: one bit each.
-pub(super) const MOST: usize = 32;
-
-/// What a ray may meet.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Candidate {
-    /// Of a mesh, a node's word for it: a triangle, or triangles of a leaf, or a node.
-    pub word: u32,
-    /// Of a part of a mesh.
-    pub seen: Seen,
-    pub actor: u16,
-}
-
-impl Candidate {
-    /// All of an actor.
-    const fn all_of(actor: u16) -> Self {
-        Self {
-            word: 0,
-            seen: Seen::UNKNOWN,
-            actor,
-        }
-    }
-}
 
 /// How a tile's rays find what they meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,14 +35,6 @@ pub(super) struct Gathered {
     /// Of tiles and their quarters: how long they are not gathered where they have too many
     /// triangles.
     pauses: [Pause; 2],
-}
-
-/// What one pixel's ray may meet: an iterator over words.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Candidates<'a> {
-    /// `None`: all of an actor.
-    of: Option<&'a Gathered>,
-    bits: u32,
 }
 
 impl Gathered {
@@ -170,7 +139,7 @@ impl Gathered {
             let all = beam.walk(&tree, left, |leaf| {
                 tree.each_triangle(leaf, &from, |triangle, corners| {
                     let bit = 1u32.checked_shl(count as u32).unwrap_or(0);
-                    if !cover(&beam, corners, actor.faces, size, bits, bit) {
+                    if !cover(&beam.screen, corners, actor.faces, size, bits, bit) {
                         return true;
                     }
                     let Some(slot) = list.get_mut(count) else {
@@ -262,7 +231,7 @@ impl Gathered {
     /// What a pixel's ray may meet.
     pub(super) fn at(&self, pixel: usize) -> Candidates<'_> {
         Candidates {
-            of: Some(self),
+            of: Some(&self.list),
             bits: self.bits.get(pixel).copied().unwrap_or(0),
         }
     }
@@ -284,52 +253,5 @@ fn cover_exact(
             cover_rectangle(rays, eye, [a, b, c, d], size, bits, bit)
         }
         _ => cover_bounds(bounds, tile, bits, bit),
-    }
-}
-
-impl Candidates<'_> {
-    /// All of an actor.
-    pub(super) const ALL: Self = Candidates { of: None, bits: 1 };
-
-    /// Whether there is none.
-    #[inline(always)]
-    pub(super) fn is_empty(&self) -> bool {
-        self.bits == 0
-    }
-
-    /// The next actor and what is of it, which then is not here any more.
-    #[inline(always)]
-    pub(super) fn next_actor(&mut self) -> Option<(u16, Self)> {
-        let list = &self.of?.list;
-        let actor = list.get(self.bits.trailing_zeros() as usize)?.actor;
-        let all = self.bits;
-        self.bits &= self.bits.wrapping_sub(1);
-        while let Some(found) = list.get(self.bits.trailing_zeros() as usize)
-            && found.actor == actor
-        {
-            self.bits &= self.bits.wrapping_sub(1);
-        }
-        let own = Candidates {
-            of: self.of,
-            bits: all ^ self.bits,
-        };
-        Some((actor, own))
-    }
-}
-
-impl Iterator for Candidates<'_> {
-    type Item = u32;
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<u32> {
-        let at = self.bits.trailing_zeros() as usize;
-        if at >= MOST {
-            return None;
-        }
-        self.bits &= self.bits.wrapping_sub(1);
-        match self.of {
-            Some(gathered) => Some(gathered.list.get(at)?.word),
-            None => Some(0),
-        }
     }
 }

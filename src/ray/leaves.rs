@@ -1,11 +1,12 @@
 //! The triangles of a hierarchy's leaves: what a ray meets of them.
 
 use super::actor::GridPlace;
+use super::faces::Faces;
 use super::grid_ray::{AXES, GridRay};
 use super::hierarchy::Hierarchy;
 use super::holes::is_hole;
 use super::surface::coordinates;
-use super::triangle::{Corners, Faces, Points, TriangleHit, meet};
+use super::triangle::{Corners, Points, TriangleHit, meet};
 use crate::scene::{Leaf, Meshlet, Record};
 
 /// What is wanted of a way through a hierarchy.

@@ -2,13 +2,14 @@
 
 use super::actor::{Form, GridPlace, RayActor};
 use super::ball::BallHit;
-use super::gather::Candidates;
+use super::candidates::Candidates;
+use super::faces::Faces;
 use super::grid_ray::GridRay;
 use super::hierarchy::{Hierarchy, Stack};
 use super::ray::Ray;
 use super::rectangle::RectangleHit;
 use super::surface::{Need, Surface};
-use super::triangle::{Faces, TriangleHit};
+use super::triangle::TriangleHit;
 use super::windows::{Parallel, Windows};
 use crate::math::Scaled;
 use crate::scene::{Mesh, Scene};

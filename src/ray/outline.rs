@@ -3,9 +3,9 @@
 //! where corners are, behind the eye or far beside the picture (Olano and Greer, "Triangle scan
 //! conversion using 2D homogeneous coordinates", 1997).
 
-use super::beam::TileRays;
 use super::coverage::{Bits, TILE, all};
 use super::ray::between;
+use super::screen::TileRays;
 use crate::math::{mul_high, product};
 
 /// What a corner, and a place that is held against a side, may be off: raw world bits.

@@ -4,38 +4,14 @@
 //! and Hurley, "Multi-level ray tracing algorithm", 2005).
 
 use super::beam::Beam;
-use super::coverage::{self, Bits, FINE, TILE};
-use super::gather::{Candidate, MOST};
+use super::candidates::{Candidate, MOST, Seen};
+use super::coverage::{self, FINE};
 use super::hierarchy::Hierarchy;
 use crate::math::{mul_high, reciprocal};
 use crate::scene::{Node, Record};
 
 /// What the side of a box may be off in `2^-FINE` pixels.
 const OFF: i32 = 4;
-
-/// Where a part is seen in a tile: the first and the last column and row, 3 bits each.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Seen(u16);
-
-const _: () = assert!(TILE == 8);
-
-impl Seen {
-    /// Not asked for.
-    pub(super) const UNKNOWN: Self = Self(0);
-    /// Anywhere.
-    const EVERYWHERE: Self = Self(7 << 3 | 7 << 9);
-
-    /// Sets a bit in a tile's pixels there.
-    #[inline(never)]
-    pub(super) fn cover(self, bits: &mut Bits, bit: u32) {
-        let [left, right, top, bottom] = [0, 3, 6, 9].map(|by| usize::from(self.0 >> by & 7));
-        for row in bits.chunks_exact_mut(TILE).take(bottom + 1).skip(top) {
-            for pixel in row.iter_mut().take(right + 1).skip(left) {
-                *pixel |= bit;
-            }
-        }
-    }
-}
 
 /// Parts in a list, with how near each is.
 struct Parts<'a> {

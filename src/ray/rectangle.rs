@@ -1,11 +1,11 @@
 //! A ray and a rectangle.
 
 use super::actor::{Form, RayActor, plus};
+use super::faces::Faces;
 use super::holes::is_hole;
 use super::ray::{Ray, between, moved};
 use super::shades::Towards;
 use super::surface::Surface;
-use super::triangle::Faces;
 use crate::math::{
     Scaled, Unit3, leading_zeros, mul_high_u, mul_q30, reciprocal, scaled_reciprocal,
 };

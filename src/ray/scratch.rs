@@ -2,10 +2,10 @@
 
 use super::actors::RaySlot;
 use super::coarse::Sphere;
-use super::follow::WaitingRays;
 use super::gather::Gathered;
 use super::light::RayLights;
 use super::shades::Shades;
+use super::waiting::WaitingRays;
 use super::windows::Windows;
 
 /// Working memory of a fixed size; put it into a `static`. `ACTORS` whose places are kept

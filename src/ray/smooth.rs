@@ -1,9 +1,9 @@
 //! Pixels that differ from a neighbour, by several rays.
 
 use super::camera::RayCamera;
-use super::frame::Watch;
 use super::tile::{Drawing, TILE, put};
 use super::trace::{Light, Shown};
+use super::watch::Watch;
 use crate::frame::Target;
 use crate::light::Lit;
 use crate::math::Rect;

@@ -2,13 +2,13 @@
 
 use super::camera::RayCamera;
 use super::coverage;
-use super::frame::{RayStats, Seen, Watch};
 use super::gather::{Gathered, Way};
 use super::light::Seed;
 use super::nearest::Met;
-use super::progressive::Pass;
+use super::pass::Pass;
 use super::sequence::in_pixel;
 use super::trace::{Light, Shown, Tracer, lookup};
+use super::watch::{RayStats, Seen, Watch};
 use crate::fog::{self, FogDepths};
 use crate::frame::Target;
 use crate::math::Rect;

@@ -3,13 +3,13 @@
 use super::actors::RayActors;
 use super::bounce::Facing;
 use super::camera::RayCamera;
-use super::follow::WaitingRays;
-use super::gather::Candidates;
+use super::candidates::Candidates;
 use super::light::{Lit as LitPoint, RayLights, Seed, Shadows, shine, shorten};
 use super::nearest::Met;
 use super::ray::Ray;
 use super::shades::Shades;
 use super::surface::Need;
+use super::waiting::WaitingRays;
 use super::windows::Windows;
 use crate::light::{Lit, Parts, sum};
 use crate::palette::Palette;

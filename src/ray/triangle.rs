@@ -1,6 +1,7 @@
 //! A ray and a triangle.
 
 use super::actor::GridPlace;
+use super::faces::Faces;
 use super::grid_ray::GridRay;
 use crate::math::{mul_high, mul_high_u, product, reciprocal};
 use crate::scene::{Mesh, Meshlet, Scene};
@@ -27,20 +28,6 @@ impl TriangleHit {
         let key = |hit: &Self| (hit.ahead, hit.meshlet, hit.triangle);
         key(self) < key(other)
     }
-}
-
-/// Which sides of triangles are met.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Faces {
-    pub front: bool,
-    pub back: bool,
-}
-
-impl Faces {
-    pub(super) const BOTH: Self = Self {
-        front: true,
-        back: true,
-    };
 }
 
 /// A triangle's corners as they are off a place.

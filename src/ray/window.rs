@@ -3,10 +3,10 @@
 
 use super::actor::{GridPlace, RayActor};
 use super::coverage::{Bits, FINE, TILE, cover_places};
+use super::faces::Faces;
 use super::grid_ray::GridRay;
 use super::hierarchy::{Hierarchy, Stack};
 use super::ray::Ray;
-use super::triangle::Faces;
 use super::window_space::{CORNER_BITS, Space, Start};
 use crate::math::mul_high;
 use crate::scene::{Leaf, Scene};
