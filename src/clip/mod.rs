@@ -7,7 +7,7 @@
 //! is merely off the screen is not clipped but scissored, so that its edges do
 //! not move.
 
-use crate::math::keep_rolled;
+use crate::math::{keep_rolled, rolled};
 use crate::vertex::{ClipVertex, ScreenVertex, guard, outcode, outside, project};
 use crate::view::ActorView;
 
@@ -174,14 +174,17 @@ fn crossing(view: &ActorView, plane: u8, inner: &Point, outer: &Point) -> Point 
         let (ClipVertex { x, y, .. }, [wa, wb, wc]) = (p.vertex, p.weights);
         [x, y, p.vertex.distance, p.vertex.level, wa, wb, wc]
     };
-    let mut parts = all(inner);
-    for (part, other) in parts.iter_mut().zip(all(outer)) {
-        let way = (i64::from(other) - i64::from(*part)) * from;
+    let mut parts = [[0; 2]; 7];
+    for (pair, both) in parts.iter_mut().zip(all(inner).into_iter().zip(all(outer))) {
+        *pair = [both.0, both.1];
+    }
+    for [part, other] in rolled(&mut parts) {
+        let way = (i64::from(*other) - i64::from(*part)) * from;
         let way = (way + span / 2).checked_div_euclid(span).unwrap_or(0);
         *part = (i64::from(*part) + way) as i32;
         keep_rolled();
     }
-    let [x, y, distance, level, weights @ ..] = parts;
+    let [x, y, distance, level, weights @ ..] = parts.map(|[part, _]| part);
     let vertex = ClipVertex {
         x,
         y,

@@ -1,5 +1,6 @@
 //! Back faces, a few at a time, before their vertices are known.
 
+use crate::math::short_square_root;
 use crate::scene::{FaceCone, Meshlet};
 use crate::view::{ActorView, EyeInGrid};
 
@@ -38,7 +39,7 @@ impl Sight {
         let squared = way.iter().fold(0, |sum, c| sum + (c * c) as u32);
         Self {
             way,
-            distance: squared.isqrt() as i32 + 1,
+            distance: short_square_root(squared) as i32 + 1,
             radius_twice: (radius >> down) as i32 * 2,
         }
     }

@@ -7,3 +7,10 @@
 pub(crate) fn keep_rolled() {
     core::hint::black_box(());
 }
+
+/// A list whose length the compiler does not know, so that it does not write a short loop
+/// over it out as a whole, which it does in spite of [`keep_rolled`]; that has to be in the loop as well.
+#[inline(always)]
+pub(crate) fn rolled<T>(list: &mut [T]) -> &mut [T] {
+    core::hint::black_box(list)
+}

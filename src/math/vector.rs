@@ -1,6 +1,6 @@
 //! Vectors in space, and the exact products that the view needs once a frame.
 
-use super::{World, keep_rolled};
+use super::{World, keep_rolled, rolled, square_root};
 
 /// A place or a distance in space.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -77,16 +77,23 @@ pub fn normalise(v: [i64; 3]) -> Option<Unit3> {
     }
     // Bring the largest component to 30 bits.
     let shift = 30 - (64 - largest.leading_zeros() as i32);
-    let fit = |c: i64| if shift >= 0 { c << shift } else { c >> -shift };
-    let (x, y, z) = (fit(x), fit(y), fit(z));
-    let squared = (x * x + y * y + z * z) as u64;
-    let length = squared.isqrt().max(1) as i64;
-    let mut unit = [0; 3];
-    for (to, c) in unit.iter_mut().zip([x, y, z]) {
-        *to = ((c << 30) / length).clamp(-(1 << 30), 1 << 30) as i32;
+    let mut unit = v;
+    let mut squared = 0u64;
+    for c in rolled(&mut unit) {
+        *c = if shift >= 0 {
+            *c << shift
+        } else {
+            *c >> -shift
+        };
+        squared += (*c * *c) as u64;
         keep_rolled();
     }
-    Some(unit)
+    let length = square_root(squared).max(1) as i64;
+    for c in rolled(&mut unit) {
+        *c = ((*c << 30) / length).clamp(-(1 << 30), 1 << 30);
+        keep_rolled();
+    }
+    Some(unit.map(|c| c as i32))
 }
 
 /// Cross product of two Q30 directions, in Q60 before any rounding.

@@ -173,11 +173,17 @@ fn places(scene: &Scene<'_>) -> impl Iterator<Item = (u16, u16)> {
     (0..scene.viewport_count()).flat_map(move |viewport| (0..actors).map(move |a| (viewport, a)))
 }
 
+/// Whether an entry is drawn before another. A call, so that a search does not have it twice.
+#[inline(never)]
+fn comes_before(one: &Entry, other: &Entry) -> bool {
+    one.place() < other.place()
+}
+
 /// Puts an entry into a full sorted list at its place; the last one falls out.
 #[cold]
 #[inline(never)]
 fn displace_last(list: &mut [Entry], entry: Entry) {
-    let at = list.partition_point(|held| held.place() < entry.place());
+    let at = list.partition_point(|held| comes_before(held, &entry));
     let Some(rest) = list.get_mut(at..) else {
         return;
     };

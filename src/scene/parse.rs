@@ -135,12 +135,12 @@ impl<'a> Scene<'a> {
         let mut parts: [&[u8]; layout::SECTIONS] = [&[]; layout::SECTIONS];
         find_sections(bytes, rest, &mut parts)?;
         let scene = Self::of(header, &parts);
-        scene.check_features()?;
+        scene.check_features(&parts)?;
         Ok(scene)
     }
 
     /// Whether the program was built with what the scene uses.
-    fn check_features(&self) -> Result<(), SceneError> {
+    fn check_features(&self, parts: &[&[u8]; layout::SECTIONS]) -> Result<(), SceneError> {
         let of = |name, there: bool, used: bool| {
             if used && !there {
                 Err(SceneError::Feature { name })
@@ -148,22 +148,22 @@ impl<'a> Scene<'a> {
                 Ok(())
             }
         };
-        let some = |records: usize| records != 0;
+        let some = |section: Section| parts.get(section as usize).is_some_and(|p| !p.is_empty());
         of("lod", cfg!(feature = "lod"), self.header.level_error != 0)?;
         of(
             "texture",
             cfg!(feature = "texture"),
-            some(self.textures.len()),
+            some(Section::Textures),
         )?;
-        of("lines", cfg!(feature = "lines"), some(self.looks.len()))?;
-        let viewports = some(self.viewports.len()) || some(self.output.len());
+        of("lines", cfg!(feature = "lines"), some(Section::Looks))?;
+        let viewports = some(Section::Viewports) || some(Section::Output);
         of("viewports", cfg!(feature = "viewports"), viewports)?;
         of(
             "animation",
             cfg!(feature = "animation"),
-            some(self.tracks.len()),
+            some(Section::Tracks),
         )?;
-        of("fog", cfg!(feature = "fog"), some(self.fog.len()))?;
+        of("fog", cfg!(feature = "fog"), some(Section::Fog))?;
         for material in self.materials.iter().map(Material::from_words) {
             let light = material.full || material.coloured;
             of("light", cfg!(feature = "light"), light)?;
@@ -285,9 +285,10 @@ impl<'a> Scene<'a> {
 }
 
 /// Lists the fields of [`Scene`] that are sections, in the order of the table: what is done
-/// with each is there once, not once for each kind of record.
+/// with each is there once, not once for each kind of record. What only a feature reads is
+/// left empty without it.
 macro_rules! section_fields {
-    ($($field:ident),*) => {
+    ($($field:ident $($feature:literal)?),*) => {
         /// Size and alignment of each section's records.
         const RECORDS: [[usize; 2]; layout::SECTIONS] =
             [$(size_and_alignment(|scene| scene.$field)),*];
@@ -296,7 +297,11 @@ macro_rules! section_fields {
             fn of(header: Header, [$($field),*]: &[&'a [u8]; layout::SECTIONS]) -> Self {
                 Self {
                     header,
-                    $($field: records($field)),*
+                    $($field: if true $(&& cfg!(feature = $feature))? {
+                        records($field)
+                    } else {
+                        &[]
+                    }),*
                 }
             }
         }
@@ -316,29 +321,29 @@ section_fields!(
     triangles,
     face_normals,
     fine,
-    viewports,
-    viewport_backgrounds,
-    tracks,
-    keys,
-    fog,
-    fog_table,
+    viewports "viewports",
+    viewport_backgrounds "viewports",
+    tracks "animation",
+    keys "animation",
+    fog "fog",
+    fog_table "fog",
     vertex_colours,
     colours,
-    output,
-    looks,
-    marks,
-    edges,
-    meshlet_edges,
-    coordinates,
-    textures,
-    texels,
-    bases,
-    texture_shades,
-    ray_settings,
-    shapes,
-    nodes,
-    optics,
-    light_areas,
+    output "viewports",
+    looks "lines",
+    marks "lines",
+    edges "lines",
+    meshlet_edges "lines",
+    coordinates "texture",
+    textures "texture",
+    texels "texture",
+    bases "texture",
+    texture_shades "texture",
+    ray_settings "ray",
+    shapes "ray",
+    nodes "ray",
+    optics "ray",
+    light_areas "ray",
     face_cones
 );
 

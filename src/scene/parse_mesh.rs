@@ -111,7 +111,7 @@ impl Scene<'_> {
                 self.fine.len() as i64 - vertices,
             )?;
         }
-        if let Some(coordinates) = mesh.coordinates {
+        if let Some(coordinates) = mesh.coordinates.filter(|_| cfg!(feature = "texture")) {
             let first = meshlet.first_vertex.wrapping_add(coordinates.offset).into();
             let last = self.coordinates.len() as i64 - vertices;
             range(s, i, Field::Coordinates, first, 0, last)?;

@@ -1,7 +1,7 @@
 //! One actor in one frame.
 
 use super::{DepthMap, FINE_ROW_FRACTION, Lens, ModelFrame, ModelLights, ROW_FRACTION, ViewFrame};
-use crate::math::{MAX_SCREEN, SUBPX_BITS, keep_rolled};
+use crate::math::{MAX_SCREEN, SUBPX_BITS, keep_rolled, rolled, square_root};
 use crate::scene::{Actor, Material, Mesh, Place, Scene, Shading};
 
 /// The eye as an actor's grid sees it.
@@ -137,7 +137,7 @@ impl ActorView {
         let radius = shift(radius as i64, step_exponent).saturating_add(1);
         let farthest = centre.iter().fold(0, |m: i64, c| m.max(c.abs()));
         // Sheared, a sphere reaches less than twice as far.
-        let radius = radius << u32::from(frame.shear != 0);
+        let radius = radius << u32::from(frame.is_sheared());
         let reach = farthest.saturating_add(radius);
         let reach_bits = 64 - reach.leading_zeros() as i32;
         let limit = coordinate_bits(frame);
@@ -256,8 +256,8 @@ impl ActorView {
 /// See [`ActorView::side_lengths`]. x, y and distance are perpendicular.
 #[inline(never)]
 fn side_lengths(frame: &ViewFrame, [x, y, d]: [i32; 3], middle: [i32; 2]) -> [i32; 2] {
+    let [middle_x, middle_y] = middle;
     let side = |length: i32, half: i32| {
-        keep_rolled();
         let along = if frame.perspective {
             side_at(frame.lens, half.into(), d.into())
         } else {
@@ -267,18 +267,19 @@ fn side_lengths(frame: &ViewFrame, [x, y, d]: [i32; 3], middle: [i32; 2]) -> [i3
         let lean = sheared(frame, d.into()).unsigned_abs();
         let along = along.unsigned_abs().saturating_add(lean).min(1 << 31);
         let length = u64::from(length.unsigned_abs());
-        ((length * length + along * along).isqrt() + 1).min(i32::MAX as u64) as i32
+        (square_root(length * length + along * along) + 1).min(i32::MAX as u64) as i32
     };
-    let mut sides = [0; 2];
-    for (to, (length, half)) in sides.iter_mut().zip([x, y].into_iter().zip(middle)) {
-        *to = side(length, half);
+    let mut sides = [[x, middle_x], [y, middle_y]];
+    for [own, half] in rolled(&mut sides) {
+        *own = side(*own, *half);
+        keep_rolled();
     }
-    sides
+    sides.map(|[length, _]| length)
 }
 
 /// What an eye's shear adds to x at a distance; below 2^60 with it.
 fn sheared(frame: &ViewFrame, distance: i64) -> i64 {
-    if frame.shear == 0 {
+    if !frame.is_sheared() {
         return 0;
     }
     // The shear is below 2^30.
@@ -311,7 +312,7 @@ pub(super) fn row_length([a, b, c]: [i32; 3]) -> i32 {
     let squared = [a, b, c].iter().fold(0u64, |sum, v| {
         sum + u64::from(v.unsigned_abs()) * u64::from(v.unsigned_abs())
     });
-    (squared.isqrt() + 1).min(i32::MAX as u64) as i32
+    (square_root(squared) + 1).min(i32::MAX as u64) as i32
 }
 
 #[inline(never)]
@@ -333,7 +334,7 @@ fn eye_in_grid(frame: &ViewFrame, actor: &Actor, place: &Place) -> EyeInGrid {
     let (mantissa, exponent) = place.step(actor);
     let divisor = i64::from(mantissa >> 16);
     let mut point = [x - ox, y - oy, z - oz];
-    for c in &mut point {
+    for c in rolled(&mut point) {
         let quotient = (*c << 14).checked_div(divisor).unwrap_or(0);
         *c = shift(quotient, 31 - 16 - 30 - 14 - exponent).clamp(-(1 << 40), 1 << 40);
         keep_rolled();

@@ -1,6 +1,6 @@
 //! The camera, ready for use.
 
-use crate::math::{Rotation, SUBPX_BITS, Vec3, World, keep_rolled, view_rotation};
+use crate::math::{Rotation, SUBPX_BITS, Vec3, World, keep_rolled, square_root, view_rotation};
 use crate::scene::{Camera, PlacedViewport, Projection};
 
 /// Screen distance per view-space ratio (perspective: x / w; parallel: x in
@@ -59,13 +59,13 @@ impl ViewFrame {
     /// what is as far away as the focal point stays in place (VTK's stereo; there
     /// is no vertical parallax, as there would be from turned cameras).
     fn sheared(self, camera: &Camera, shear: i32) -> Self {
-        if shear == 0 {
+        if !cfg!(feature = "viewports") || shear == 0 {
             return self;
         }
         // A quarter of the distance has 31 bits, a sum of its squares 64.
         let sight = camera.focal_point.minus(camera.position);
         let squared = sight.map(|c| ((c >> 2) * (c >> 2)).unsigned_abs());
-        let distance = (squared.iter().sum::<u64>().isqrt() << 2) as i64;
+        let distance = (square_root(squared.iter().sum()) << 2) as i64;
         let aside = (distance * i64::from(shear)) >> 30;
         let [right, ..] = self.rotation.rows;
         let [x, y, z] = camera.position.to_bits().map(i64::from);
@@ -77,6 +77,12 @@ impl ViewFrame {
             shear,
             ..self
         }
+    }
+
+    /// Whether it is one of two eyes'.
+    pub(super) fn is_sheared(&self) -> bool {
+        // Without the feature there are none.
+        cfg!(feature = "viewports") && self.shear != 0
     }
 
     #[inline(never)]
@@ -132,8 +138,13 @@ impl Lens {
         } else {
             quotient << (31 - bits)
         };
-        let [across, down] = magnified.map(|m| u64::from(m.max(1)));
-        let mantissa_x = (mantissa * across).checked_div(down).unwrap_or(0);
+        // Without the feature there are no viewports to stretch a picture to.
+        let mantissa_x = if cfg!(feature = "viewports") {
+            let [across, down] = magnified.map(|m| u64::from(m.max(1)));
+            (mantissa * across).checked_div(down).unwrap_or(0)
+        } else {
+            mantissa
+        };
         // If it is wider than high, both lose a bit for each doubling.
         let over = (64 - mantissa_x.leading_zeros() as i32 - 31).max(0);
         Self {

@@ -33,13 +33,21 @@ const MICROBIT: Map = Map {
     program: 128 << 10,
     ram: (0x2000_0000, 16 << 10),
 };
+/// STM32F103C8, whose firmware carries its scene.
+const STM32F103: Map = Map {
+    flash: (0x0800_0000, 64 << 10),
+    program: 64 << 10,
+    ram: (0x2000_0000, 20 << 10),
+};
 
 fn main() {
     let out = env::var("OUT_DIR").expect("cargo sets OUT_DIR");
     let target = env::var("TARGET").expect("cargo sets TARGET");
     let microbit = env::var_os("CARGO_FEATURE_MICROBIT").is_some();
+    let stm32f103 = env::var_os("CARGO_FEATURE_STM32F103").is_some();
     let map = match target.as_str() {
         _ if microbit => MICROBIT,
+        _ if stm32f103 => STM32F103,
         "thumbv8m.main-none-eabihf" => AN505,
         _ => MPS2,
     };
@@ -60,6 +68,8 @@ fn main() {
     );
     let out = Path::new(&out);
     fs::write(out.join("memory.x"), memory).expect("OUT_DIR can be written");
+    // Of a device crate, which would name the interrupts' handlers.
+    fs::write(out.join("device.x"), "").expect("OUT_DIR can be written");
     fs::write(out.join("scene.rs"), code).expect("OUT_DIR can be written");
     println!("cargo:rustc-link-search={}", out.display());
     println!("cargo:rustc-link-arg-bins=--nmagic");

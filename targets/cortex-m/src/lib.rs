@@ -113,6 +113,19 @@ mod uncounted {
     }
 }
 
+/// The vectors of an STM32F103's 60 interrupts, none of which is enabled.
+#[cfg(feature = "stm32f103")]
+mod vectors {
+    unsafe extern "C" {
+        /// Of `cortex-m-rt`.
+        fn DefaultHandler();
+    }
+
+    #[unsafe(link_section = ".vector_table.interrupts")]
+    #[unsafe(no_mangle)]
+    static __INTERRUPTS: [unsafe extern "C" fn(); 60] = [DefaultHandler; 60];
+}
+
 #[panic_handler]
 fn panic(_: &PanicInfo<'_>) -> ! {
     fixel_runner::firmware::fail("panic")

@@ -190,10 +190,15 @@ pub fn misbehave(blob: &[u8]) {
 }
 
 /// The demo firmware's main function: draws one frame into a panel that
-/// swallows it, and prints how deep the stack went.
+/// swallows it, and prints how deep the stack went; if it tells, also the hash of what the panel
+/// got, as the measuring firmware has it.
 pub fn demo(blob: &[u8], memory: &mut crate::demo::Memory) -> ! {
     let stack = paint_stack();
+    #[cfg(feature = "tells")]
+    let mut hash = crate::hash::Fnv64::new();
     let drawn = crate::demo::draw(blob, 0, memory, |row| {
+        #[cfg(feature = "tells")]
+        hash.bytes(row);
         for byte in row {
             let mut panel = 0u8;
             // SAFETY: a local; volatile, as a panel's data register would be.
@@ -203,6 +208,8 @@ pub fn demo(blob: &[u8], memory: &mut crate::demo::Memory) -> ! {
     if let Err(error) = drawn {
         fail(error.message());
     }
+    #[cfg(feature = "tells")]
+    Line::new().hex("panel", hash.value()).end(print);
     print_stack(&stack);
     exit(true)
 }

@@ -188,6 +188,19 @@ pub const OTHERS: [Board; 6] = [
     },
 ];
 
+/// A small chip that a whole demo has to fit into, its scene with it: there is no room for the
+/// measuring firmware. The linker has the chip's memory, QEMU's machine has more of it.
+pub const SMALL_CHIP: Board = Board {
+    name: "stm32f103",
+    what: "STM32F103C8 (Cortex-M3, 64 KB of flash, 20 KB of RAM), on QEMU's netduino2",
+    folder: "cortex-m",
+    target: "thumbv7m-none-eabi",
+    features: Some("stm32f103"),
+    machine: arm(&["-machine", "netduino2"], 0),
+    scenes: Some(&[]),
+    scene: "teapot",
+};
+
 impl Board {
     /// Whether its firmware is an ELF file.
     pub fn is_elf(&self) -> bool {

@@ -85,7 +85,14 @@ impl Parts {
 /// Builds the demo firmware of a board with a scene linked in. A board with features of
 /// its own links those parts.
 pub fn demo(board: &Board, scene: &scene::Baked, parts: Parts) -> Result<Demo> {
-    build_demo(board, scene, &demo_features(board, parts))
+    build_demo(board, scene, &demo_features(board, parts), &[])
+}
+
+/// Builds the demo firmware of a board with little flash, with a scene linked in: optimised a
+/// little less, which leaves loops as they are instead of writing them out.
+pub fn small_demo(board: &Board, scene: &scene::Baked) -> Result<Demo> {
+    let level = [("CARGO_PROFILE_RELEASE_OPT_LEVEL", "2")];
+    build_demo(board, scene, &demo_features(board, Parts::Compact), &level)
 }
 
 fn demo_features(board: &Board, parts: Parts) -> String {
@@ -97,10 +104,15 @@ fn demo_features(board: &Board, parts: Parts) -> String {
 
 /// Builds a demo that breaks the promises which are checked on every demo.
 pub fn faulty_demo(board: &Board, scene: &scene::Baked) -> Result<Demo> {
-    build_demo(board, scene, "faulty,gouraud")
+    build_demo(board, scene, "faulty,gouraud", &[])
 }
 
-fn build_demo(board: &Board, scene: &scene::Baked, features: &str) -> Result<Demo> {
+fn build_demo(
+    board: &Board,
+    scene: &scene::Baked,
+    features: &str,
+    environment: &[(&str, &str)],
+) -> Result<Demo> {
     let route = toolchain::provide(board.target)?;
     let mut command = cargo_build(route, board);
     command
@@ -111,6 +123,7 @@ fn build_demo(board: &Board, scene: &scene::Baked, features: &str) -> Result<Dem
             "--features",
             features,
         ])
+        .envs(environment.iter().copied())
         .env("FIXEL_SCENE", &scene.path);
     child::visibly(&mut command)?;
     let more = format!("-{}", features.replace(',', "-"));

@@ -47,6 +47,7 @@ mod scaling;
 mod scaling_levels;
 mod scene;
 mod screen;
+mod small_chip;
 mod soak;
 mod supply;
 mod template;

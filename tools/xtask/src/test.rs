@@ -10,15 +10,15 @@ use crate::problem::Result;
 use crate::report::Tally;
 use crate::{
     accepted, accuracy, child, examples, firmware, footprint, gallery, gba, hostbench, links,
-    package, panels, parity, paths, picture, pictures, scene, soak, supply, template, toolchain,
-    view, web,
+    package, panels, parity, paths, picture, pictures, scene, small_chip, soak, supply, template,
+    toolchain, view, web,
 };
 
 /// A stage: its name, and what it does.
 type Stage = (&'static str, fn(&mut Tally));
 
 /// In this order: what is quick and fails often comes first.
-const STAGES: [Stage; 19] = [
+const STAGES: [Stage; 20] = [
     ("format", format),
     ("lints", lints),
     ("supply", supply::run),
@@ -36,6 +36,9 @@ const STAGES: [Stage; 19] = [
     ("panels", panels::run),
     ("web", web::run),
     ("footprint", footprint_stage),
+    ("small-chip", |tally| {
+        tally.check("a demo in a small chip", small_chip::run());
+    }),
     ("accuracy", |tally| {
         let result = accuracy::run(tally, None);
         tally.need("accuracy", result);
