@@ -169,3 +169,29 @@ fn pictures_are_up_to_2048_pixels_wide() {
     let error = wide(2049).expect_err("too wide");
     assert!(error.contains("2048"), "{error}");
 }
+
+#[test]
+fn a_camera_all_but_at_its_focal_point_looks_where_it_should() {
+    let picture = |focal_point: [f64; 3]| {
+        let mut scene = load_text(&format!("{HEAD}{CUBE}")).expect("a scene");
+        (scene.camera.position, scene.camera.focal_point) = ([0.0; 3], focal_point);
+        scene.camera.clipping_range = [0.1, 20.0];
+        scene.actors[0].position = [3.0, 1.0, -3.0];
+        let baked = fixel_bake::bake(&scene).map_err(|error| error.to_string())?;
+        let core = baked.scene().map_err(|error| error.to_string())?;
+        Ok::<_, String>(fixel_host::render(&core, &Options::of(&core)).depth)
+    };
+    let expected = picture([3.0, 0.0, -3.0]).expect("a picture");
+    assert!(expected.iter().any(|depth| *depth != 0));
+    for near in [1e-3, 1e-6, 1e-12, 1e-100] {
+        assert!(
+            picture([near, 0.0, -near]) == Ok(expected.clone()),
+            "{near}"
+        );
+    }
+    let refused = picture([0.0; 3]).expect_err("no direction");
+    assert!(
+        refused.contains("expected position and focal_point apart"),
+        "{refused}"
+    );
+}

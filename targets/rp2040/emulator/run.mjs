@@ -109,7 +109,7 @@ const press = (frame) => {
   }
 };
 
-// Lines of the firmware; each is about one frame that it has drawn.
+// Lines of the firmware: one about each frame that it has drawn, and others.
 let line = "";
 let reports = 0;
 chip.uart[0].onByte = (byte) => {
@@ -119,9 +119,11 @@ chip.uart[0].onByte = (byte) => {
   }
   console.log(line);
   if (line.startsWith('{"error"')) process.exit(1);
+  if (line.startsWith('{"frame"')) {
+    reports += 1;
+    press(reports);
+  }
   line = "";
-  reports += 1;
-  press(reports);
 };
 
 load(readFileSync(elfPath));

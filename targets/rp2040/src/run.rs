@@ -6,6 +6,7 @@ use cortex_m::peripheral::SYST;
 use fixel::Display;
 use fixel_demo::{Cost, Demo, DemoError, Memory};
 use fixel_runner::line::Line;
+use fixel_runner::stack::Stack;
 
 use crate::board::Console;
 use crate::halt;
@@ -48,6 +49,21 @@ pub fn run<D: Display, const PIXELS: usize>(
     halt()
 }
 
+unsafe extern "C" {
+    /// From the linker script: one past the stack's highest address.
+    static _stack_start: u32;
+    /// From the linker script: the lowest address that the stack may reach.
+    static __sheap: u32;
+}
+
+fn paint_stack() -> Stack {
+    let bottom = (&raw const __sheap) as usize;
+    let top = (&raw const _stack_start) as usize;
+    // SAFETY: the linker script gives the stack everything from the end of the static data
+    // to its start, there is no heap, and this runs on it.
+    unsafe { Stack::paint((bottom + 3) & !3, top) }
+}
+
 /// There is no end but an error.
 enum Never {}
 
@@ -62,6 +78,7 @@ fn frames<D: Display, const PIXELS: usize>(
 ) -> Result<Never, DemoError<D::Error>> {
     // Hidden from the optimiser, which would otherwise build a firmware that can draw this
     // one scene only.
+    let mut stack = Some(paint_stack());
     let mut demo = Demo::new(core::hint::black_box(scene), size)?;
     loop {
         waited.0.set(0);
@@ -72,6 +89,11 @@ fn frames<D: Display, const PIXELS: usize>(
             waiting: waited.0.get(),
         };
         shown(display);
+        // Once: looking takes long.
+        if let Some(used) = stack.take().and_then(|stack| stack.used_bytes()) {
+            let line = Line::new().small("stack", used as u32);
+            line.end(|text| console.print(text));
+        }
         demo.report(cost).end(|text| console.print(text));
     }
 }

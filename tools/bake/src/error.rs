@@ -84,6 +84,8 @@ pub enum Problem {
         /// Its share of the triangles asked for.
         most: usize,
     },
+    /// A camera at its own focal point, or whose `view_up` has no length.
+    NoDirection,
     /// A number that the format cannot hold.
     Range {
         /// Which, and where.
@@ -114,6 +116,10 @@ impl fmt::Display for Problem {
                 "`{mesh}` cannot be simplified below {least} triangles without closing its \
                  borders, its texture's seams or its creases, {most} are its share; expected \
                  a larger number"
+            ),
+            Self::NoDirection => f.write_str(
+                "the camera has no direction; expected position and focal_point apart, and \
+                 a view_up that is not 0",
             ),
             Self::Range { what, value, most } => write!(
                 f,

@@ -112,9 +112,18 @@ pub(crate) fn camera(
     );
     // A focal point far from the scene, which can only be a direction, comes nearer.
     let sight = focus - eye;
-    let longest = f64::exp2(f64::from(14 - units.exponent));
+    let world = |power: i32| f64::exp2(f64::from(power - units.exponent));
+    let longest = world(14);
     if sight.length() > longest {
         focus = eye + sight.normalize_or_zero() * longest;
+    }
+    // One so near that a world unit's fractions do not tell its direction goes farther.
+    if sight.length() < world(-8) {
+        focus = eye + sight.normalize_or_zero() * world(0);
+    }
+    let view_up = DVec3::from(camera.view_up);
+    if sight.length() == 0.0 || view_up.length() == 0.0 {
+        return Err(Problem::NoDirection.at(element));
     }
     let (projection, half_height) = match camera.projection {
         Projection::Perspective { view_angle } => {
@@ -140,7 +149,7 @@ pub(crate) fn camera(
         position: units.place(spot("camera.position"), eye)?,
         focal_point: units.place(spot("camera.focal_point"), focus)?,
         // Only its direction counts.
-        view_up: unit_q30(DVec3::from(camera.view_up)),
+        view_up: unit_q30(view_up),
         projection,
         half_height,
         range_exponent,

@@ -7,7 +7,7 @@ use crate::board::{self, BOARDS, Board};
 use crate::firmware::Parts;
 use crate::problem::Result;
 use crate::report::{Tally, table};
-use crate::{elf, emulator, firmware, scene};
+use crate::{elf, emulator, firmware, measure, scene};
 
 /// Most static RAM and stack of the Cortex-M0+ demo, in bytes.
 const RAM_LIMIT: u64 = 32 * 1024;
@@ -238,9 +238,7 @@ fn unused_is_not_linked(code: &[(Parts, u64)]) -> Result<()> {
 
 /// The stack's high-water mark among a firmware's lines.
 fn stack_bytes(text: &str) -> Result<u64> {
-    let lines = text.lines();
-    let mut values = lines.filter_map(|line| serde_json::from_str::<Value>(line).ok());
-    let stack = values.find_map(|value| value["stack"].as_u64());
+    let stack = measure::stack_bytes(text);
     stack.ok_or_else(|| format!("the firmware did not say how deep its stack went: {text}").into())
 }
 

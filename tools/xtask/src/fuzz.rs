@@ -39,16 +39,59 @@ pub fn names() -> Vec<&'static str> {
     FUZZERS.iter().map(|(name, _)| *name).collect()
 }
 
+/// Seconds of each fuzzer in continuous integration.
+const STAGE_SECONDS: u32 = 20;
+
+/// How long fuzzers run, and from where.
+struct Course {
+    seconds: u32,
+    /// Of libFuzzer's random numbers; another one each time if there is none.
+    seed: Option<u32>,
+    /// A folder for each fuzzer's inputs is in this one.
+    corpora: PathBuf,
+}
+
 /// Runs the fuzzers named, all if none is, for so many seconds each. Each one that finds
 /// nothing is a check; what is found stays in `fuzz/artifacts`.
 pub fn run(tally: &mut Tally, only: &[String], seconds: u32) -> Result<Value> {
+    let course = Course {
+        seconds,
+        seed: None,
+        corpora: folder().join("corpus"),
+    };
+    all(tally, only, &course)
+}
+
+/// What continuous integration runs: all of them for a moment, from the same beginning each
+/// time.
+pub fn stage(tally: &mut Tally) {
+    let begun = paths::work("fuzz").and_then(|corpora| {
+        // What an earlier run kept is no part of the beginning.
+        fs::remove_dir_all(&corpora).map_err(|error| format!("{}: {error}", corpora.display()))?;
+        Ok(corpora)
+    });
+    let result = begun.and_then(|corpora| {
+        let course = Course {
+            seconds: STAGE_SECONDS,
+            seed: Some(1),
+            corpora,
+        };
+        all(tally, &[], &course)
+    });
+    if let Some(figures) = tally.need("fuzzers", result) {
+        eprint!("{}", markdown(&figures));
+    }
+}
+
+fn all(tally: &mut Tally, only: &[String], course: &Course) -> Result<Value> {
     build()?;
     let named = |name: &str| only.is_empty() || only.iter().any(|wanted| wanted == name);
     let chosen: Vec<_> = FUZZERS
         .into_iter()
         .filter(|(name, _)| named(name))
         .collect();
-    let results = parallel::map(&chosen, |(name, longest)| fuzz(name, *longest, seconds));
+    let results = parallel::map(&chosen, |(name, longest)| fuzz(name, *longest, course));
+    let seconds = course.seconds;
     let mut figures = serde_json::Map::new();
     for ((name, _), result) in chosen.into_iter().zip(results) {
         if let Some(figure) = tally.check(&format!("fuzzer {name}, {seconds} s"), result) {
@@ -65,6 +108,7 @@ pub fn markdown(value: &Value) -> String {
         "seconds",
         "executions",
         "branches covered",
+        "of",
         "inputs kept",
     ];
     let all = value.as_object().into_iter().flatten();
@@ -75,6 +119,7 @@ pub fn markdown(value: &Value) -> String {
             cell("seconds"),
             cell("executions"),
             cell("coverage"),
+            cell("branches"),
             cell("corpus"),
         ]
     });
@@ -132,8 +177,9 @@ fn target() -> PathBuf {
     }
 }
 
-fn fuzz(name: &str, longest: u32, seconds: u32) -> Result<Value> {
-    let corpus = folder().join("corpus").join(name);
+fn fuzz(name: &str, longest: u32, course: &Course) -> Result<Value> {
+    let seconds = course.seconds;
+    let corpus = course.corpora.join(name);
     let artifacts = folder().join("artifacts").join(name);
     for folder in [&corpus, &artifacts] {
         fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
@@ -147,6 +193,7 @@ fn fuzz(name: &str, longest: u32, seconds: u32) -> Result<Value> {
     command
         .arg(&corpus)
         .args(found.is_dir().then_some(&found))
+        .args(course.seed.map(|seed| format!("-seed={seed}")))
         .arg(format!("-artifact_prefix={}/", artifacts.display()))
         .arg(format!("-max_total_time={seconds}"))
         .arg(format!("-max_len={longest}"))
@@ -154,13 +201,11 @@ fn fuzz(name: &str, longest: u32, seconds: u32) -> Result<Value> {
     let limit = Duration::from_secs(u64::from(seconds) * 2 + 120);
     let run = child::bounded(&mut command, limit)?;
     if !run.success {
-        let end: Vec<&str> = run.stderr.lines().rev().take(40).collect();
-        let end: Vec<&str> = end.into_iter().rev().collect();
         return Err(format!(
             "found something, in {}; `cargo test -p fixel-tests --test fuzzed` runs it once it is \
              in tests/data/fuzz/{name}:\n{}",
             artifacts.display(),
-            end.join("\n")
+            broken(&run.stderr)
         )
         .into());
     }
@@ -169,6 +214,7 @@ fn fuzz(name: &str, longest: u32, seconds: u32) -> Result<Value> {
         "seconds": seconds,
         "executions": figures.executions,
         "coverage": figures.coverage,
+        "branches": figures.branches,
         "corpus": figures.corpus,
     }))
 }
@@ -206,16 +252,28 @@ fn seeds(name: &str) -> Result<Vec<(String, Vec<u8>)>> {
     Ok(seeds)
 }
 
+/// What broke: from the panic's message on, and the end of what the fuzzer says.
+fn broken(text: &str) -> String {
+    let lines: Vec<&str> = text.lines().collect();
+    let panic = lines.iter().position(|line| line.contains("panicked at"));
+    let message = panic.map_or(&[][..], |at| &lines[at..lines.len().min(at + 4)]);
+    let end = &lines[lines.len().saturating_sub(30)..];
+    [message, &["..."], end].concat().join("\n")
+}
+
 /// What libFuzzer says of a run.
 #[derive(Debug, Default, PartialEq, Eq)]
 struct Figures {
     executions: u64,
     coverage: u64,
+    /// Branches that there are, in the fuzzer and all that it links.
+    branches: u64,
     corpus: u64,
 }
 
 impl Figures {
-    /// From `#512 NEW cov: 93 ft: 101 corp: 7/2044b ...`, the last such line, and
+    /// From `INFO: Loaded 1 modules (8000 inline 8-bit counters): ...`, from
+    /// `#512 NEW cov: 93 ft: 101 corp: 7/2044b ...`, the last such line, and
     /// `stat::number_of_executed_units: 1024`.
     fn of(text: &str) -> Self {
         let mut figures = Self::default();
@@ -228,6 +286,9 @@ impl Figures {
                 let digits: String = rest.chars().take_while(char::is_ascii_digit).collect();
                 digits.parse().ok()
             };
+            if line.contains("inline 8-bit counters)") {
+                figures.branches = after("(").unwrap_or(0);
+            }
             if line.starts_with('#') {
                 figures.coverage = after("cov:").unwrap_or(figures.coverage);
                 figures.corpus = after("corp:").unwrap_or(figures.corpus);
@@ -243,14 +304,27 @@ mod tests {
 
     #[test]
     fn the_last_figures_count() {
-        let text = "#2\tINITED cov: 10 ft: 11 corp: 1/1b exec/s: 0 rss: 40Mb\n\
+        let text = "INFO: Loaded 1 modules   (8000 inline 8-bit counters): 8000 [0x1, 0x2),\n\
+            #2\tINITED cov: 10 ft: 11 corp: 1/1b exec/s: 0 rss: 40Mb\n\
             #512\tNEW    cov: 93 ft: 101 corp: 7/2044b lim: 4\n\
             stat::number_of_executed_units: 1024\n";
         let wanted = Figures {
             executions: 1024,
             coverage: 93,
+            branches: 8000,
             corpus: 7,
         };
         assert_eq!(Figures::of(text), wanted);
+    }
+
+    #[test]
+    fn what_broke_is_said() {
+        let text = format!(
+            "a\nthread panicked at x.rs:1\nwhy\n{}end",
+            "frame\n".repeat(50)
+        );
+        let said = broken(&text);
+        assert!(said.starts_with("thread panicked at x.rs:1\nwhy\n") && said.ends_with("end"));
+        assert_eq!(broken("end"), "...\nend");
     }
 }

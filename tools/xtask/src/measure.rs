@@ -137,6 +137,18 @@ impl Ready {
         band_rows: u32,
         picture: Option<&Path>,
     ) -> Result<Vec<Frame>> {
+        let drawn = self.drawn(scene, frames, band_rows, picture)?;
+        Ok(drawn.frames)
+    }
+
+    /// The same, and how deep the stack went.
+    pub fn drawn(
+        &self,
+        scene: &Baked,
+        frames: std::ops::Range<u32>,
+        band_rows: u32,
+        picture: Option<&Path>,
+    ) -> Result<Drawn> {
         let mut arguments = vec![
             frames.start.to_string(),
             frames.end.to_string(),
@@ -167,7 +179,10 @@ impl Ready {
             )
             .into());
         }
-        Ok(lines)
+        Ok(Drawn {
+            frames: lines,
+            stack: stack_bytes(&text),
+        })
     }
 
     /// Counts loops of known length. Fails at the first wrong count; gives how
@@ -179,6 +194,22 @@ impl Ready {
         let text = emulator::run(board, &self.program, &["selftest".into()])?;
         exact_loops(&text)
     }
+}
+
+/// What a program drew.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// The frames.
+    pub frames: Vec<Frame>,
+    /// Most bytes of stack in use, from its start on, where the target paints it.
+    pub stack: Option<u64>,
+}
+
+/// The stack's high-water mark among a program's lines.
+pub fn stack_bytes(text: &str) -> Option<u64> {
+    let mut lines = text.lines().filter(|line| line.starts_with("{\"stack\""));
+    let value: serde_json::Value = serde_json::from_str(lines.next()?).ok()?;
+    value["stack"].as_u64()
 }
 
 /// Frames among a program's lines.
@@ -246,6 +277,10 @@ mod tests {
                     \"index\":\"a\",\"depth\":\"b\",\"panel\":\"c\"}\n{\"stack\":7}\n";
         let frames = parse(text).unwrap_or_default();
         assert_eq!(frames.len(), 1);
+        assert_eq!(
+            (stack_bytes(text), stack_bytes("{\"frame\":2}")),
+            (Some(7), None)
+        );
         assert!(parse("{\"frame\":2,\"wid").is_err());
     }
 }

@@ -8,6 +8,7 @@ use fixel::math::Angle;
 
 use crate::device::{DEVICES, Device, Pixels};
 use crate::firmware::{self, Demo};
+use crate::parity::STACK_LIMIT;
 use crate::problem::Result;
 use crate::report::Tally;
 use crate::rp2040::{self, Report, Shown};
@@ -78,12 +79,22 @@ pub fn run(tally: &mut Tally) {
         tally.check(&name, all_as_rendered(device, &baked, &shown));
         let name = format!("buttons turn the object of {}", device.name);
         tally.check(&name, stands(&shown));
+        let stack = shown.first().map_or(0, |shown| shown.stack);
+        let name = format!("stack of {}, {stack} bytes", device.name);
+        tally.check(&name, within(stack));
         let name = format!("what {} sends", device.name);
         tally.check(&name, sent(device, &shown));
     }
     let (device, scene_name) = WAITING;
     let name = format!("{} waits for its bus", device.name);
     tally.check(&name, waits(device, scene_name));
+}
+
+fn within(stack: u64) -> Result<()> {
+    if (1..=STACK_LIMIT).contains(&stack) {
+        return Ok(());
+    }
+    Err(format!("it is not within the {STACK_LIMIT} bytes promised").into())
 }
 
 fn waits(device: &Device, scene_name: &str) -> Result<()> {

@@ -1,8 +1,10 @@
-//! The same bytes on every target, in one band and in many.
+//! The same bytes on every target, in one band and in many, within a bounded stack.
+
+use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
-use crate::measure::{Frame, ONE_BAND, Ready, Target};
+use crate::measure::{Drawn, Frame, ONE_BAND, Ready, Target};
 use crate::problem::Result;
 use crate::report::Tally;
 use crate::{parallel, scene};
@@ -21,6 +23,10 @@ const FEW_FRAMES: std::ops::Range<u32> = 0..2;
 /// and the full frame.
 const BANDS: [u32; 3] = [16, 7, ONE_BAND];
 
+/// Most bytes of stack that drawing takes on any target, whatever the scene: what
+/// `docs/reliability.md` promises.
+pub const STACK_LIMIT: u64 = 8 * 1024;
+
 /// Which frames of a scene are compared on a target in bands of so many rows.
 fn frames(scene: &str, target: Target, rows: u32) -> std::ops::Range<u32> {
     if scene::by_rays(scene) {
@@ -34,7 +40,8 @@ fn frames(scene: &str, target: Target, rows: u32) -> std::ops::Range<u32> {
 }
 
 /// Renders the scenes named, or else all, on the targets. Each pair of scene and
-/// target is one check; gives `{"scene": {"target": "hash"}}`.
+/// target is one check; gives `{"scene": {"target": "hash"}}`, and under `deepest stack`
+/// the most that each painted target took, in bytes, with the scene.
 pub fn run(tally: &mut Tally, targets: Vec<Target>, names: &[String]) -> Result<Value> {
     let ready: Vec<Ready> = targets
         .into_iter()
@@ -44,6 +51,7 @@ pub fn run(tally: &mut Tally, targets: Vec<Target>, names: &[String]) -> Result<
         })
         .collect();
     let mut all = Map::new();
+    let mut stacks = Stacks::default();
     for name in scene::named_or_all(names)? {
         let Some(baked) = tally.need(&format!("parity of {name}"), scene::bake(&name)) else {
             continue;
@@ -58,14 +66,15 @@ pub fn run(tally: &mut Tally, targets: Vec<Target>, names: &[String]) -> Result<
             .collect();
         let runs = parallel::map(&jobs, |&(ready, rows)| {
             let which = frames(&name, ready.target, rows);
-            let frames = ready.frames(&baked, which, rows, None)?;
-            Ok((rows, frames))
+            let drawn = ready.drawn(&baked, which, rows, None)?;
+            Ok((rows, drawn))
         });
         let mut hashes = Map::new();
         let mut first: Option<Vec<Frame>> = None;
         for (target, runs) in taking.iter().zip(runs.chunks(BANDS.len())) {
             let target = target.target.name();
             let runs: Result<Vec<_>> = runs.iter().cloned().collect();
+            stacks.take(target, &name, runs.iter().flatten().map(|(_, drawn)| drawn));
             let hash = runs.and_then(|runs| agree(&runs, &mut first));
             if let Some(hash) = tally.check(&format!("parity of {name} on {target}"), hash) {
                 hashes.insert(target.into(), json!(hash));
@@ -75,13 +84,64 @@ pub fn run(tally: &mut Tally, targets: Vec<Target>, names: &[String]) -> Result<
         }
         all.insert(name, hashes.into());
     }
+    for (target, deepest) in &stacks.0 {
+        let result = within(deepest);
+        tally.check(
+            &format!("stack on {target}, {} bytes", deepest.bytes),
+            result,
+        );
+    }
+    all.insert("deepest stack".into(), stacks.json());
     Ok(all.into())
+}
+
+/// The deepest stack of each target that paints it.
+#[derive(Default)]
+struct Stacks(BTreeMap<&'static str, Deepest>);
+
+struct Deepest {
+    bytes: u64,
+    scene: String,
+}
+
+impl Stacks {
+    fn take<'a>(
+        &mut self,
+        target: &'static str,
+        scene: &str,
+        runs: impl Iterator<Item = &'a Drawn>,
+    ) {
+        let Some(bytes) = runs.filter_map(|drawn| drawn.stack).max() else {
+            return;
+        };
+        let deepest = self.0.get(target).map_or(0, |deepest| deepest.bytes);
+        if bytes > deepest {
+            let scene = scene::name(scene.as_ref());
+            self.0.insert(target, Deepest { bytes, scene });
+        }
+    }
+
+    fn json(&self) -> Value {
+        let all = self.0.iter();
+        let all = all.map(|(target, d)| (*target, json!({"bytes": d.bytes, "scene": d.scene})));
+        all.map(|(target, value)| (target.to_owned(), value))
+            .collect::<Map<_, _>>()
+            .into()
+    }
+}
+
+fn within(deepest: &Deepest) -> Result<()> {
+    if deepest.bytes <= STACK_LIMIT {
+        return Ok(());
+    }
+    let scene = &deepest.scene;
+    Err(format!("{scene} takes more than the {STACK_LIMIT} bytes promised").into())
 }
 
 /// Whether all runs drew the frames that the first run of all did; gives the
 /// hash of those that every target draws.
-fn agree(runs: &[(u32, Vec<Frame>)], first: &mut Option<Vec<Frame>>) -> Result<String> {
-    for (rows, frames) in runs {
+fn agree(runs: &[(u32, Drawn)], first: &mut Option<Vec<Frame>>) -> Result<String> {
+    for (rows, Drawn { frames, .. }) in runs {
         let expected = first.get_or_insert_with(|| frames.clone());
         for (frame, expected) in frames.iter().zip(expected.iter()) {
             let parts = [
@@ -100,7 +160,7 @@ fn agree(runs: &[(u32, Vec<Frame>)], first: &mut Option<Vec<Frame>>) -> Result<S
             }
         }
     }
-    let frames = runs.first().map(|(_, frames)| frames.as_slice());
+    let frames = runs.first().map(|(_, drawn)| drawn.frames.as_slice());
     let few = frames.unwrap_or_default().iter().take(FEW_FRAMES.len());
     Ok(combined(few))
 }
@@ -135,13 +195,32 @@ mod tests {
         }
     }
 
+    fn drawn(depth: &str, stack: u64) -> Drawn {
+        Drawn {
+            frames: vec![frame(depth)],
+            stack: Some(stack),
+        }
+    }
+
+    #[test]
+    fn the_deepest_stack_counts() {
+        let mut stacks = Stacks::default();
+        let runs = [drawn("1", 7), drawn("1", 9000), drawn("1", 8)];
+        stacks.take("a", "scenes/x.toml", runs[..1].iter());
+        assert!(within(&stacks.0["a"]).is_ok());
+        stacks.take("a", "scenes/y.toml", runs[1..].iter());
+        stacks.take("a", "scenes/z.toml", runs[..1].iter());
+        assert!(within(&stacks.0["a"]).is_err());
+        assert_eq!(stacks.json(), json!({"a": {"bytes": 9000, "scene": "y"}}));
+    }
+
     #[test]
     fn one_different_depth_is_found() {
         let mut first = None;
-        let same = [(16, vec![frame("1")]), (240, vec![frame("1")])];
+        let same = [(16, drawn("1", 7)), (240, drawn("1", 8))];
         let hash = agree(&same, &mut first).ok();
         assert_eq!(hash, Some(combined(&[frame("1")])));
-        assert!(agree(&[(16, vec![frame("2")])], &mut first).is_err());
+        assert!(agree(&[(16, drawn("2", 7))], &mut first).is_err());
     }
 
     #[test]

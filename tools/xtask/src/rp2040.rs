@@ -9,7 +9,7 @@ use serde::Deserialize;
 
 use crate::device::Device;
 use crate::problem::{Problem, Result};
-use crate::{child, debian, paths};
+use crate::{child, debian, measure, paths};
 
 /// A run that takes longer hangs.
 const LIMIT: Duration = Duration::from_secs(300);
@@ -25,6 +25,8 @@ pub struct Shown {
     pub bus: Bus,
     /// The picture, [`Device::picture_bytes`].
     pub pixels: Vec<u8>,
+    /// How deep the stack went for the first frame, in bytes.
+    pub stack: u64,
 }
 
 /// A line of the firmware: `targets/demo` has what it means.
@@ -80,6 +82,7 @@ fn joined(
 ) -> std::result::Result<Vec<Shown>, String> {
     let reports: Vec<Report> = lines(text, "{\"frame\"")?;
     let buses: Vec<Bus> = lines(text, "{\"shown\"")?;
+    let stack = measure::stack_bytes(text).ok_or("nothing is said of the stack")?;
     let pictures = pictures.chunks_exact(device.picture_bytes());
     let all = reports.into_iter().zip(buses).zip(pictures);
     let shown: Vec<_> = all
@@ -88,6 +91,7 @@ fn joined(
             report,
             bus,
             pixels: pixels.to_vec(),
+            stack,
         })
         .collect();
     if shown.len() != frames as usize {
@@ -151,7 +155,7 @@ mod tests {
     fn lines_and_pictures_belong_together() {
         let device = &DEVICES[2];
         let report = "{\"frame\":3,\"turn\":9,\"triangles\":4,\"drawing\":5,\"waiting\":6}\n";
-        let text = format!("{{\"shown\":0,\"bytes\":7,\"sending\":8}}\n{report}{{\"system\":1}}\n");
+        let text = format!("{{\"shown\":0,\"bytes\":7,\"sending\":8}}\n{report}{{\"stack\":10}}\n");
         let picture = vec![1; device.picture_bytes()];
         let shown = joined(device, &text, &picture, 1).unwrap_or_default();
         let expected = Shown {
@@ -166,6 +170,7 @@ mod tests {
                 sending: 8,
             },
             pixels: picture.clone(),
+            stack: 10,
         };
         assert_eq!(shown, [expected]);
         assert!(joined(device, report, &picture, 1).is_err());

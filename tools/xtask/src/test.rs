@@ -9,7 +9,7 @@ use crate::measure::Target;
 use crate::problem::Result;
 use crate::report::Tally;
 use crate::{
-    accepted, accuracy, child, examples, firmware, footprint, gallery, gba, hostbench, links,
+    accepted, accuracy, child, examples, firmware, footprint, fuzz, gallery, gba, hostbench, links,
     package, panels, parity, paths, picture, pictures, scene, small_chip, soak, supply, template,
     toolchain, view, web,
 };
@@ -18,7 +18,7 @@ use crate::{
 type Stage = (&'static str, fn(&mut Tally));
 
 /// In this order: what is quick and fails often comes first.
-const STAGES: [Stage; 20] = [
+const STAGES: [Stage; 21] = [
     ("format", format),
     ("lints", lints),
     ("supply", supply::run),
@@ -47,6 +47,7 @@ const STAGES: [Stage; 20] = [
         let result = soak::run(tally, 20_000, 500);
         tally.need("soak", result);
     }),
+    ("fuzz", fuzz::stage),
     ("examples", examples::run),
     ("template", template::run),
     ("package", package::run),

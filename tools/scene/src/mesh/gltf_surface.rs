@@ -87,14 +87,14 @@ pub(super) fn give(
         let mut surface = Surface {
             colour: first.colour,
             both_sides: kind.both_sides,
-            texture: None,
+            ..Surface::default()
         };
         if of.iter().any(|part| parts[*part].colour != surface.colour) {
             surface.colour = [1.0; 3];
             for part in of {
                 let end = parts.get(part + 1).map(|next| next.first_vertex);
                 let vertices = parts[*part].first_vertex..end.unwrap_or(soup.positions.len());
-                paint(soup, vertices, parts[*part].colour);
+                soup.paint(vertices, parts[*part].colour);
             }
         }
         if let (Some(_), Some(material)) = (kind.texture, material(first)) {
@@ -105,12 +105,4 @@ pub(super) fn give(
         soup.surfaces.push(surface);
     }
     Ok(())
-}
-
-/// Multiplies the colours of some vertices, white ones if there are none yet.
-fn paint(soup: &mut Soup, vertices: std::ops::Range<usize>, colour: Rgb) {
-    soup.colours.resize(soup.positions.len(), [1.0; 3]);
-    for own in &mut soup.colours[vertices] {
-        *own = [0, 1, 2].map(|c| own[c] * colour[c]);
-    }
 }

@@ -8,7 +8,9 @@ mod finish;
 mod gltf;
 mod gltf_surface;
 mod gltf_texture;
+mod mtl;
 mod obj;
+mod obj_surface;
 mod part;
 mod ply;
 mod polygon;
@@ -19,7 +21,8 @@ mod surface;
 pub(crate) mod tests;
 
 use std::collections::HashSet;
-use std::path::Path;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
 
 use crate::description::{Mesh, Rgb};
 use crate::error::Error;
@@ -79,11 +82,21 @@ impl Soup {
             self.notes.push(note.to_owned());
         }
     }
+
+    /// Multiplies the colours of some vertices, white ones if there are none yet.
+    fn paint(&mut self, vertices: Range<usize>, colour: Rgb) {
+        self.colours.resize(self.positions.len(), [1.0; 3]);
+        for own in &mut self.colours[vertices] {
+            *own = [0, 1, 2].map(|c| own[c] * colour[c]);
+        }
+    }
 }
 
 /// Why a file was refused: the line if it has one, and what is wrong.
 #[derive(Debug)]
 struct Refusal {
+    /// The file that it is in, if it is not the mesh's own.
+    file: Option<PathBuf>,
     line: Option<usize>,
     message: String,
 }
@@ -91,6 +104,7 @@ struct Refusal {
 impl Refusal {
     fn new(message: impl Into<String>) -> Self {
         Self {
+            file: None,
             line: None,
             message: message.into(),
         }
@@ -99,7 +113,15 @@ impl Refusal {
     fn at(line: usize, message: impl Into<String>) -> Self {
         Self {
             line: Some(line),
-            message: message.into(),
+            ..Self::new(message)
+        }
+    }
+
+    /// In another file than the mesh's.
+    fn of(self, file: &Path) -> Self {
+        Self {
+            file: Some(file.to_owned()),
+            ..self
         }
     }
 
@@ -147,7 +169,7 @@ pub(crate) fn load(origin: Origin<'_>) -> Result<Loaded, Error> {
 pub(crate) fn parse(origin: Origin<'_>, bytes: &[u8]) -> Result<Loaded, Error> {
     let path = origin.path;
     let soup = match extension(path).as_str() {
-        "obj" => obj::read(bytes),
+        "obj" => obj::read(origin, bytes),
         "glb" | "gltf" => gltf::read(origin, bytes),
         "stl" => stl::read(bytes),
         "ply" => ply::read(bytes),
@@ -155,8 +177,11 @@ pub(crate) fn parse(origin: Origin<'_>, bytes: &[u8]) -> Result<Loaded, Error> {
     };
     let name = path.file_name().unwrap_or_default();
     soup.and_then(|soup| finish::finish(&name.to_string_lossy(), soup))
-        .map_err(|refusal| match refusal.line {
-            Some(line) => Error::at_line(path, line, refusal.message),
-            None => Error::new(path, refusal.message),
+        .map_err(|refusal| {
+            let path = refusal.file.as_deref().unwrap_or(path);
+            match refusal.line {
+                Some(line) => Error::at_line(path, line, refusal.message),
+                None => Error::new(path, refusal.message),
+            }
         })
 }

@@ -1,6 +1,6 @@
 //! Wavefront OBJ: positions, with the red, green and blue in 0..=1 that some
 //! programs write after them (display-encoded), texture coordinates, normals and
-//! faces; curves, points and lines are left out, materials with a note.
+//! faces with their materials; curves, points and lines are left out.
 //!
 //! Own code, not the `tobj` crate, because that one names no lines, panics
 //! on an `f` without vertices, and mixes up normals when only some faces
@@ -8,17 +8,20 @@
 
 use std::collections::HashMap;
 
+use super::obj_surface::Materials;
 use super::polygon::{self, Polygons};
 use super::{MAX_TEXTURE_COORDINATE, MAX_TRIANGLES, Refusal, Soup};
 use crate::description::Rgb;
+use crate::files::Origin;
 
 const FACE: &str = "expected e.g. f 1 2 3 or f 1/1 2/2 3/3 or f 1//1 2//2 3//3";
 
-pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
+pub(super) fn read(origin: Origin<'_>, bytes: &[u8]) -> Result<Soup, Refusal> {
     let text = String::from_utf8_lossy(bytes);
     let mut soup = Soup::default();
 
-    // Faces may come before the vertices that they name.
+    // Faces may come before the vertices and the materials that they name.
+    let mut materials = Materials::default();
     let mut positions = Vec::new();
     let mut normals = Vec::new();
     let mut colours: Vec<Option<Rgb>> = Vec::new();
@@ -31,16 +34,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
             }
             Some("vn") => normals.push(numbers(line, "vn", &words)?),
             Some("vt") => coordinates.push(texture_coordinates(line, &words)?),
-            Some("mtllib") if soup.notes.is_empty() => {
-                soup.notes
-                    .push("materials of the OBJ file are left out".to_owned());
-            }
+            Some("mtllib") => materials.library(origin, &words[1..], &mut soup)?,
             _ => {}
         }
     }
 
     let coloured = colours.iter().any(Option::is_some);
-    let mut vertices: HashMap<(usize, Option<usize>, Option<usize>), u32> = HashMap::new();
+    let mut vertices = HashMap::new();
     let mut polygons = Polygons::default();
     let (mut positions_so_far, mut coordinates_so_far, mut normals_so_far) = (0, 0, 0);
     for (line, words) in statements(&text) {
@@ -48,6 +48,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
             Some("v") => positions_so_far += 1,
             Some("vt") => coordinates_so_far += 1,
             Some("vn") => normals_so_far += 1,
+            Some("usemtl") => materials.now(&words[1..].join(" "), &mut soup),
             Some("f") => {
                 let mut corners = Vec::with_capacity(words.len() - 1);
                 for word in &words[1..] {
@@ -67,7 +68,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
                         .map(|normal| index(line, "normal", normal, normals_so_far, normals.len()))
                         .transpose()?;
                     let next = soup.positions.len() as u32;
-                    let vertex = *vertices.entry((position, place, normal)).or_insert(next);
+                    let key = (position, place, normal, materials.current());
+                    let vertex = *vertices.entry(key).or_insert(next);
                     if vertex == next {
                         soup.positions.push(positions[position]);
                         if coloured {
@@ -89,6 +91,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
                     ));
                 }
                 polygons.push(&mut soup, &corners);
+                materials.mark(&soup);
                 if soup.triangles.len() > MAX_TRIANGLES {
                     return Err(Refusal::too_many());
                 }
@@ -96,6 +99,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
             _ => {}
         }
     }
+    materials.give(origin, &mut soup)?;
     Ok(soup)
 }
 
@@ -117,7 +121,7 @@ fn texture_coordinates(line: usize, words: &[&str]) -> Result<[f64; 2], Refusal>
 
 /// Statements with the line that each starts on: words without comments, a
 /// backslash at the end of a line joins the next one to it.
-fn statements(text: &str) -> impl Iterator<Item = (usize, Vec<&str>)> {
+pub(super) fn statements(text: &str) -> impl Iterator<Item = (usize, Vec<&str>)> {
     let mut lines = text.lines().enumerate();
     std::iter::from_fn(move || {
         let (number, mut line) = lines.next()?;

@@ -128,7 +128,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
             let line = ascii.then_some(first_line + at);
             let wrong = |what: String| Refusal {
                 line,
-                message: format!("{name} {at}: {what}"),
+                ..Refusal::new(format!("{name} {at}: {what}"))
             };
             match name.as_str() {
                 "vertex" => {
@@ -233,6 +233,6 @@ fn refusal(error: &ParseError, has_lines: bool) -> Refusal {
     };
     Refusal {
         line: error.line().filter(|_| has_lines),
-        message: format!("no valid PLY: {message}"),
+        ..Refusal::new(format!("no valid PLY: {message}"))
     }
 }

@@ -4,6 +4,7 @@ mod colours;
 mod damage;
 mod edges;
 mod formats;
+mod materials;
 mod normals;
 pub(crate) mod samples;
 mod textures;
