@@ -1,6 +1,9 @@
 //! A camera as the blob holds it: in the header, and in viewports that have
 //! their own.
 
+// Bytes from anywhere come in: whatever they say, nothing overflows.
+#![deny(clippy::arithmetic_side_effects)]
+
 use fixed::types::U8F24;
 
 use super::records::{i, u, w};
@@ -78,7 +81,7 @@ impl CameraRecord {
                 Field::ClippingRange,
                 self.near.into(),
                 nearest,
-                i64::from(self.far) - 1,
+                i64::from(self.far).wrapping_sub(1),
             ),
             (Field::ClippingRange, self.range_exponent.into(), 0, 11),
             (Field::Camera, differs, 1, 1),

@@ -1,7 +1,10 @@
 //! Fog as the blob holds it.
 
+// Bytes from anywhere come in: whatever they say, nothing overflows.
+#![deny(clippy::arithmetic_side_effects)]
+
 use super::layout::FOG_ROWS;
-use super::parse::{count, range};
+use super::parse::{count, last, range};
 use super::records::{i, w};
 use super::{Field, Record, Scene, SceneError, Section};
 
@@ -78,7 +81,11 @@ impl Scene<'_> {
     pub(super) fn check_fog(&self) -> Result<(), SceneError> {
         let fogs = self.fog.len();
         count(Section::Fog, fogs, 0, 1)?;
-        let rows = if self.is_direct() { 0 } else { fogs * FOG_ROWS };
+        let rows = if self.is_direct() {
+            0
+        } else {
+            fogs.saturating_mul(FOG_ROWS)
+        };
         count(Section::FogTable, self.fog_table.len(), rows, rows)?;
         let Some(fog) = self.fog() else {
             return Ok(());
@@ -89,7 +96,7 @@ impl Scene<'_> {
             range(Section::Fog, 0, Field::Distance, distance, before, most)?;
             before = distance;
         }
-        let colours = self.palette.len() as i64 - 1;
+        let colours = last(self.palette.len(), 1);
         for (i, index) in self.fog_table.as_flattened().iter().enumerate() {
             let index = i64::from(*index);
             range(

@@ -1,6 +1,9 @@
 //! What of an actor is drawn, if it is not its surface; a mesh's edges; marks.
 
-use super::parse::{count, range};
+// Bytes from anywhere come in: whatever they say, nothing overflows.
+#![deny(clippy::arithmetic_side_effects)]
+
+use super::parse::{count, last, range};
 use super::records::{i, u};
 use super::{Field, Meshlet, Record, Scene, SceneError, Section, layout};
 
@@ -88,7 +91,7 @@ impl Look {
     /// Bytes of the mark's rows.
     fn mark_bytes(&self) -> usize {
         let [width, height] = self.mark_size.map(usize::from);
-        width.div_ceil(8) * height
+        width.div_ceil(8).saturating_mul(height)
     }
 
     /// How far its pixels may be from its mesh's, in pixels.
@@ -97,8 +100,10 @@ impl Look {
             return u16::from(self.line_width);
         }
         let [width, height] = self.mark_size;
-        let [x, y] = self.mark_offset.map(|c| c.unsigned_abs() / 2 + 1);
-        (width + x).max(height + y)
+        let [x, y] = self
+            .mark_offset
+            .map(|c| (c.unsigned_abs() / 2).saturating_add(1));
+        width.saturating_add(x).max(height.saturating_add(y))
     }
 }
 
@@ -142,15 +147,15 @@ impl<'a> Scene<'a> {
 
     pub(super) fn check_looks(&self) -> Result<(), SceneError> {
         let s = Section::Looks;
-        let actors = self.actors.len() as i64;
+        let actors = self.actors.len();
         let mut least = 0;
         for (at, words) in self.looks.iter().enumerate() {
             let look = Look::from_words(words);
             let actor = i64::from(look.actor);
-            range(s, at, Field::Actor, actor, least, actors - 1)?;
-            least = actor + 1;
+            range(s, at, Field::Actor, actor, least, last(actors, 1))?;
+            least = actor.saturating_add(1);
             let code = words.first().map_or(0, |head| u(*head) >> 16 & 3);
-            let known = Representation::ALL.len() as i64 - 1;
+            let known = last(Representation::ALL.len(), 1);
             range(s, at, Field::Representation, code.into(), 0, known)?;
             range(s, at, Field::Width, look.line_width.into(), 1, 16)?;
             range(s, at, Field::Bias, look.bias.into(), 0, 1000)?;
@@ -168,12 +173,13 @@ impl<'a> Scene<'a> {
                 )?;
             }
             let bytes = look.mark_bytes() as i64;
-            let last = self.marks.len() as i64 - bytes;
+            let last = last(self.marks.len(), bytes);
             range(s, at, Field::Mark, look.first_mark.into(), 0, last)?;
         }
         let (meshlets, places) = (self.meshlets.len(), self.meshlet_edges.len());
         if places != 0 {
-            count(Section::MeshletEdges, places, meshlets + 1, meshlets + 1)?;
+            let all = meshlets.saturating_add(1);
+            count(Section::MeshletEdges, places, all, all)?;
         }
         let mut least = 0;
         for (at, first) in self.meshlet_edges.iter().enumerate() {
@@ -187,7 +193,7 @@ impl<'a> Scene<'a> {
     /// The edges of a meshlet, by its place in the scene's list.
     pub(super) fn check_edges(&self, at: usize, meshlet: &Meshlet) -> Result<(), SceneError> {
         let (edges, first) = self.meshlet_edges(at as u32);
-        let most = i64::from(meshlet.vertices) - 1;
+        let most = i64::from(meshlet.vertices).wrapping_sub(1);
         for (edge, [from, to]) in (first as usize..).zip(edges) {
             for end in [*from, *to & !layout::CHAINED] {
                 let s = Section::Edges;

@@ -1,6 +1,9 @@
 //! Bytes become a scene: everything is checked here, once, so that drawing
 //! never has to.
 
+// Bytes from anywhere come in: whatever they say, nothing overflows.
+#![deny(clippy::arithmetic_side_effects)]
+
 use bytemuck::{AnyBitPattern, try_cast_slice};
 
 use super::layout;
@@ -184,7 +187,7 @@ impl<'a> Scene<'a> {
         let colours = self.palette.len();
         count(Section::Palette, colours, 2, 256)?;
         let (first, cycled) = self.header.cycle;
-        let end = usize::from(first) + usize::from(cycled);
+        let end = usize::from(first).saturating_add(cycled.into());
         if end > colours || (cycled != 0 && self.header.cycle_frames == 0) {
             return Err(SceneError::Header {
                 field: Field::PaletteCycle,
@@ -199,7 +202,7 @@ impl<'a> Scene<'a> {
                 Field::PaletteIndex,
                 i64::from(*value),
                 0,
-                colours as i64 - 1,
+                last(colours, 1),
             )
         };
         for (i, index) in self.background.iter().enumerate() {
@@ -219,14 +222,14 @@ impl<'a> Scene<'a> {
         count(Section::Actors, self.actors.len(), 0, 65535)?;
         for (i, words) in self.actors.iter().enumerate() {
             let actor = Actor::from_words(words);
-            let (meshes, materials) = (self.meshes.len() as i64, self.materials.len() as i64);
+            let (meshes, materials) = (self.meshes.len(), self.materials.len());
             range(
                 Section::Actors,
                 i,
                 Field::Mesh,
                 actor.mesh.into(),
                 0,
-                meshes - 1,
+                last(meshes, 1),
             )?;
             range(
                 Section::Actors,
@@ -234,7 +237,7 @@ impl<'a> Scene<'a> {
                 Field::Material,
                 actor.material.into(),
                 0,
-                materials - 1,
+                last(materials, 1),
             )?;
             let mantissa = actor.step_mantissa.into();
             range(
@@ -270,7 +273,7 @@ impl<'a> Scene<'a> {
     /// Every chain of parents ends.
     fn check_parents(&self, i: usize, actor: &Actor) -> Result<(), SceneError> {
         let s = Section::Actors;
-        let last = self.actors.len() as i64 - 1;
+        let last = last(self.actors.len(), 1);
         let mut above = actor.parent;
         for _ in 0..layout::PARENTS {
             let Some(parent) = above else { return Ok(()) };
@@ -386,7 +389,7 @@ fn find_sections<'a>(
         let part = bytes.get(offset..).ok_or(outside(Field::Offset, offset))?;
         let part = part.get(..size).ok_or(outside(Field::Count, count))?;
         // A power of two.
-        if part.as_ptr().addr() & (align - 1) != 0 {
+        if part.as_ptr().addr() & align.wrapping_sub(1) != 0 {
             return Err(outside(Field::Offset, offset));
         }
         *slot = part;
@@ -404,24 +407,30 @@ fn check_header_field(field: Field, value: i64, least: i64, most: i64) -> Result
 
 fn check_header(header: &Header) -> Result<(), SceneError> {
     let check = check_header_field;
-    let formats = ColourFormat::ALL.len() as i64;
+    let formats = ColourFormat::ALL.len();
     check(
         Field::ColourFormat,
         header.colour_format.into(),
         0,
-        formats - 1,
+        last(formats, 1),
     )?;
-    let ways = PanelDithering::ALL.len() as i64;
+    let ways = PanelDithering::ALL.len();
     let way = header.panel_dithering.into();
-    check(Field::PanelDithering, way, 0, ways - 1)?;
-    let patterns = DitherPattern::ALL.len() as i64;
+    check(Field::PanelDithering, way, 0, last(ways, 1))?;
+    let patterns = DitherPattern::ALL.len();
     let (pattern, spread) = (header.dither_pattern.into(), header.dither_spread.into());
-    check(Field::Dither, pattern, 0, patterns - 1)?;
+    check(Field::Dither, pattern, 0, last(patterns, 1))?;
     check(Field::Dither, spread, 0, 128 << 6)?;
     match header.camera.out_of_range() {
         Some((field, value)) => Err(SceneError::Header { field, value }),
         None => Ok(()),
     }
+}
+
+/// The greatest place where `count` things can begin among `all`; below 0 if there are not as
+/// many. Neither is near the ends of its type: one is in memory, the other in a record.
+pub(super) fn last(all: usize, count: i64) -> i64 {
+    (all as i64).wrapping_sub(count)
 }
 
 pub(super) fn count(

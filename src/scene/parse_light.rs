@@ -1,6 +1,9 @@
 //! Checks of lights and materials.
 
-use super::parse::{count, range};
+// Bytes from anywhere come in: whatever they say, nothing overflows.
+#![deny(clippy::arithmetic_side_effects)]
+
+use super::parse::{count, last, range};
 use super::{
     Cull, Field, Light, LightKind, Material, Mesh, NO_TEXEL, Record, Scene, SceneError, Section,
     Shading, Texture, Transparency, layout,
@@ -15,7 +18,7 @@ impl Scene<'_> {
             let kind = words
                 .first()
                 .map_or(0, |w| i64::from(u32::from_le(*w) & 0xff));
-            range(s, i, Field::Kind, kind, 0, LightKind::ALL.len() as i64 - 1)?;
+            range(s, i, Field::Kind, kind, 0, last(LightKind::ALL.len(), 1))?;
             for c in light.colour {
                 range(s, i, Field::Intensity, c.into(), 0, 32 << 16)?;
             }
@@ -48,18 +51,18 @@ impl Scene<'_> {
                 )?;
             }
             range(s, i, Field::Count, texture.copies.into(), 1, 11)?;
-            let last = self.texels.len() as i64 - i64::from(texture.texels());
+            let last = last(self.texels.len(), texture.texels().into());
             range(s, i, Field::Texel, texture.first.into(), 0, last)?;
         }
         let bases = self.bases.len();
         count(Section::Bases, bases, 0, layout::BASES)?;
         for (i, texel) in self.texels.iter().enumerate() {
             if *texel != NO_TEXEL {
-                let last = bases as i64 - 1;
+                let last = last(bases, 1);
                 range(Section::Texels, i, Field::Texel, (*texel).into(), 0, last)?;
             }
         }
-        let last = self.palette.len() as i64 - 1;
+        let last = last(self.palette.len(), 1);
         for (i, index) in self.texture_shades.as_flattened().iter().enumerate() {
             let index = (*index).into();
             range(
@@ -85,7 +88,7 @@ impl Scene<'_> {
         for (i, words) in self.materials.iter().enumerate() {
             let material = Material::from_words(words);
             let [shading, cull, ..] = words.first().map_or([0; 4], |w| w.to_ne_bytes());
-            let most = |all: usize| all as i64 - 1;
+            let most = |all: usize| last(all, 1);
             range(
                 s,
                 i,

@@ -1,8 +1,11 @@
 //! Checks of meshes and their meshlets.
 
+// Bytes from anywhere come in: whatever they say, nothing overflows.
+#![deny(clippy::arithmetic_side_effects)]
+
 use super::access::cones;
 use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
-use super::parse::{count, range};
+use super::parse::{count, last, range};
 use super::{Field, Mesh, Meshlet, Record, Scene, SceneError, Section};
 
 impl Scene<'_> {
@@ -12,18 +15,18 @@ impl Scene<'_> {
         for (i, words) in self.meshes.iter().enumerate() {
             let mesh = Mesh::from_words(words);
             let (first, count) = (i64::from(mesh.first_meshlet), i64::from(mesh.meshlets));
-            let last = self.meshlets.len() as i64 - count;
+            let last = last(self.meshlets.len(), count);
             let s = Section::Meshes;
             range(s, i, Field::FirstMeshlet, first, 0, last)?;
             self.check_levels(i, &mesh)?;
             let radius = mesh.radius.into();
             let (least, most) = (
                 layout::LEAST_RADIUS.into(),
-                i64::from(layout::GRID_HALF) * 2,
+                i64::from(layout::GRID_HALF) << 1,
             );
             range(s, i, Field::Radius, radius, least, most)?;
             range(s, i, Field::Error, mesh.error.into(), 0, most)?;
-            let span = first as usize..(first + count) as usize;
+            let span = first as usize..first.saturating_add(count) as usize;
             for (j, words) in self
                 .meshlets
                 .iter()
@@ -41,7 +44,7 @@ impl Scene<'_> {
     fn check_levels(&self, i: usize, mesh: &Mesh) -> Result<(), SceneError> {
         let s = Section::Meshes;
         let (first, levels) = mesh.levels;
-        let last = self.meshes.len() as i64 - i64::from(levels);
+        let last = last(self.meshes.len(), levels.into());
         range(s, i, Field::Level, first.into(), 0, last.max(0))?;
         let has = |mesh: &Mesh| {
             let parts = [
@@ -70,7 +73,7 @@ impl Scene<'_> {
         self.check_edges(i, meshlet)?;
         let half = i64::from(layout::GRID_HALF);
         for c in meshlet.base {
-            range(s, i, Field::Base, c.into(), -half, half)?;
+            range(s, i, Field::Base, c.into(), half.wrapping_neg(), half)?;
         }
         for shift in meshlet.shifts {
             range(
@@ -82,14 +85,14 @@ impl Scene<'_> {
                 layout::MOST_SHIFT.into(),
             )?;
         }
-        let last = self.vertices.len() as i64 - vertices;
+        let room = last(self.vertices.len(), vertices);
         range(
             s,
             i,
             Field::FirstVertex,
             meshlet.first_vertex.into(),
             0,
-            last,
+            room,
         )?;
         let first = i64::from(meshlet.first_triangle);
         range(
@@ -98,7 +101,7 @@ impl Scene<'_> {
             Field::FirstTriangle,
             first,
             0,
-            self.triangles.len() as i64 - triangles,
+            last(self.triangles.len(), triangles),
         )?;
         if let Some(offset) = mesh.fine {
             let first = meshlet.first_vertex.wrapping_add(offset);
@@ -108,26 +111,26 @@ impl Scene<'_> {
                 Field::Fine,
                 first.into(),
                 0,
-                self.fine.len() as i64 - vertices,
+                last(self.fine.len(), vertices),
             )?;
         }
         if let Some(coordinates) = mesh.coordinates.filter(|_| cfg!(feature = "texture")) {
             let first = meshlet.first_vertex.wrapping_add(coordinates.offset).into();
-            let last = self.coordinates.len() as i64 - vertices;
+            let last = last(self.coordinates.len(), vertices);
             range(s, i, Field::Coordinates, first, 0, last)?;
         }
         if let Some(offset) = mesh.colours {
             let first = meshlet.first_vertex.wrapping_add(offset).into();
-            let last = self.vertex_colours.len() as i64 - vertices;
+            let last = last(self.vertex_colours.len(), vertices);
             range(s, i, Field::VertexColours, first, 0, last)?;
         }
         if mesh.face_normals {
-            let last = self.face_normals.len() as i64 - triangles;
+            let last = last(self.face_normals.len(), triangles);
             range(s, i, Field::FaceNormals, first, 0, last)?;
         }
         if !self.face_cones.is_empty() {
             let (first, count) = cones(i as u32, meshlet);
-            let last = self.face_cones.len() as i64 - i64::from(count);
+            let last = last(self.face_cones.len(), count.into());
             range(s, i, Field::FaceCones, first as i64, 0, last)?;
         }
         let first = first as usize;
@@ -144,7 +147,7 @@ impl Scene<'_> {
                 Field::VertexIndex,
                 i64::from(*index),
                 0,
-                vertices - 1,
+                vertices.wrapping_sub(1),
             )?;
         }
         Ok(())

@@ -1,7 +1,10 @@
 //! Checks of what the ray caster reads.
 
+// Bytes from anywhere come in: whatever they say, nothing overflows.
+#![deny(clippy::arithmetic_side_effects)]
+
 use super::layout::{self, RAY_STACK};
-use super::parse::{count, range};
+use super::parse::{count, last, range};
 use super::{
     Child, Field, LightArea, Mesh, Meshlet, Node, Optics, RaySettings, Record, Scene, SceneError,
     Section, Shape,
@@ -61,12 +64,12 @@ impl Scene<'_> {
         let half = i64::from(layout::GRID_HALF);
         let place = |centre: [i32; 3]| {
             let mut all = centre.into_iter();
-            all.try_for_each(|c| range(s, i, Field::Base, c.into(), -half, half))
+            all.try_for_each(|c| range(s, i, Field::Base, c.into(), half.wrapping_neg(), half))
         };
         match *shape {
             Shape::Triangles { first_node, nodes } => {
                 let (first, nodes) = (i64::from(first_node), i64::from(nodes));
-                let last = self.nodes.len() as i64 - nodes;
+                let last = last(self.nodes.len(), nodes);
                 range(s, i, Field::FirstNode, first, 0, last)?;
                 let mesh = self.mesh(i as u16);
                 if nodes != 0 {
@@ -121,14 +124,14 @@ impl Scene<'_> {
                 number as i64,
             )?;
             range(s, i, Field::Scale, node.exponent.into(), 0, 15)?;
-            let half = 2 * i64::from(layout::GRID_HALF);
+            let half = i64::from(layout::GRID_HALF) << 1;
             for c in node.origin {
-                range(s, i, Field::Base, c.into(), -half, half)?;
+                range(s, i, Field::Base, c.into(), half.wrapping_neg(), half)?;
             }
             let is_some = |child: &&Child| **child != Child::None;
             let children = node.children.iter().take_while(is_some).count() as i64;
             range(s, i, Field::Count, children, 1, 4)?;
-            let behind = behind + children;
+            let behind = behind.saturating_add(children);
             range(s, i, Field::Depth, behind, 0, RAY_STACK as i64)?;
             for child in node.children.iter().rev() {
                 match child {
@@ -138,15 +141,15 @@ impl Scene<'_> {
                         if let Some(slot) = open.get_mut(count) {
                             *slot = (*child, behind);
                         }
-                        count += 1;
+                        count = count.saturating_add(1);
                     }
                     Child::Leaf(leaf) => {
-                        let last = i64::from(mesh.meshlets) - 1;
+                        let last = last(mesh.meshlets as usize, 1);
                         range(s, i, Field::Meshlet, leaf.meshlet.into(), 0, last)?;
                         let meshlet = mesh.first_meshlet.saturating_add(leaf.meshlet);
                         let words = self.meshlets.get(meshlet as usize);
                         let triangles = words.map_or(0, |w| Meshlet::from_words(w).triangles);
-                        let end = i64::from(leaf.first) + i64::from(leaf.count);
+                        let end = i64::from(leaf.first).saturating_add(leaf.count.into());
                         range(s, i, Field::Count, end, 1, triangles.into())?;
                     }
                 }

@@ -1,5 +1,8 @@
 //! Textures, as a blob has them.
 
+// Bytes from anywhere come in: whatever they say, nothing overflows.
+#![deny(clippy::arithmetic_side_effects)]
+
 use super::Record;
 use super::records::u;
 
@@ -53,7 +56,7 @@ impl Texture {
         let copies = 0..u32::from(self.copies).min(12);
         let texels = copies.map(|copy| {
             let [width, height] = self.copy_size(copy);
-            1u32 << (width + height).min(24)
+            1u32 << width.saturating_add(height).min(24)
         });
         texels.fold(0, u32::saturating_add)
     }

@@ -1,6 +1,6 @@
 //! Key frames: what moves, and where it is in a frame.
 
-use super::parse::range;
+use super::parse::{last, range};
 use super::records::{i, u, w};
 use super::{Field, Record, Scene, SceneError, Section, layout};
 use crate::math::{Angle, Factor};
@@ -204,6 +204,7 @@ impl Scene<'_> {
     }
 
     /// Whose each track is and what it moves, and keys in the order of frames.
+    #[deny(clippy::arithmetic_side_effects)]
     pub(super) fn check_tracks(&self) -> Result<(), SceneError> {
         if !cfg!(feature = "animation") {
             return Ok(());
@@ -212,19 +213,15 @@ impl Scene<'_> {
             let s = Section::Tracks;
             let camera = track.target == layout::CAMERA;
             if !camera {
-                let actors = self.actors.len() as i64;
-                range(s, i, Field::Target, track.target.into(), 0, actors - 1)?;
+                let actors = self.actors.len();
+                range(s, i, Field::Target, track.target.into(), 0, last(actors, 1))?;
             }
             if let Some(viewport) = track.viewport {
-                let viewports = if camera {
-                    self.viewports.len() as i64
-                } else {
-                    0
-                };
-                range(s, i, Field::Target, viewport.into(), 0, viewports - 1)?;
+                let viewports = if camera { self.viewports.len() } else { 0 };
+                range(s, i, Field::Target, viewport.into(), 0, last(viewports, 1))?;
             }
             let code = words.first().map_or(0, |w| u32::from_le(*w) >> 16 & 255);
-            let known = Quantity::ALL.len() as i64 - 1;
+            let known = last(Quantity::ALL.len(), 1);
             range(s, i, Field::Quantity, code.into(), 0, known)?;
             let has = if camera {
                 track.quantity.of_camera()
@@ -235,14 +232,14 @@ impl Scene<'_> {
                 range(s, i, Field::Quantity, code.into(), -1, -1)?;
             }
             let (first, keys) = (i64::from(track.first_key), i64::from(track.keys));
-            let all = self.keys.len() as i64;
-            range(s, i, Field::Count, keys, 1, all)?;
-            range(s, i, Field::FirstKey, first, 0, all - keys)?;
+            let all = self.keys.len();
+            range(s, i, Field::Count, keys, 1, last(all, 0))?;
+            range(s, i, Field::FirstKey, first, 0, last(all, keys))?;
             let mut least = 0;
             for (j, key) in self.keys(&track).enumerate() {
-                let (s, j) = (Section::Keys, first as usize + j);
+                let (s, j) = (Section::Keys, (first as usize).saturating_add(j));
                 range(s, j, Field::Frame, key.frame.into(), least, MOST_FRAMES)?;
-                least = i64::from(key.frame) + 1;
+                least = i64::from(key.frame).saturating_add(1);
                 let [value, ..] = key.values;
                 if track.quantity.is_factor() {
                     range(

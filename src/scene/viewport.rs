@@ -1,6 +1,6 @@
 //! Parts of the frame with cameras of their own.
 
-use super::parse::{count, range};
+use super::parse::{count, last, range};
 use super::records::u;
 use super::{
     Camera, CameraRecord, Field, Pose, Record, Scene, SceneError, Section, Stereo, layout,
@@ -225,6 +225,7 @@ impl Gradient<'_> {
 
 impl Scene<'_> {
     /// Whether all is in range.
+    #[deny(clippy::arithmetic_side_effects)]
     pub(super) fn check_viewports(&self) -> Result<(), SceneError> {
         let s = Section::Viewports;
         if !cfg!(feature = "viewports") {
@@ -232,7 +233,7 @@ impl Scene<'_> {
         }
         count(s, self.viewports.len(), 0, layout::VIEWPORTS)?;
         let own = self.viewport_backgrounds;
-        let colours = self.palette.len() as i64 - 1;
+        let colours = last(self.palette.len(), 1);
         for (i, index) in own.iter().enumerate() {
             let index = i64::from(*index);
             let s = Section::ViewportBackgrounds;
@@ -247,7 +248,7 @@ impl Scene<'_> {
                 range(s, i, Field::Sides, high, 0, full)?;
             }
             let (first, count) = viewport.background;
-            let last = own.len() as i64 - i64::from(count);
+            let last = last(own.len(), count.into());
             range(s, i, Field::Background, first.into(), 0, last)?;
             let bad = viewport.camera.and_then(|camera| camera.out_of_range());
             if let Some((field, value)) = bad {

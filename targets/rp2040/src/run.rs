@@ -76,9 +76,9 @@ fn frames<D: Display, const PIXELS: usize>(
     display: &mut D,
     mut shown: impl FnMut(&mut D),
 ) -> Result<Never, DemoError<D::Error>> {
+    let mut stack = Some(paint_stack());
     // Hidden from the optimiser, which would otherwise build a firmware that can draw this
     // one scene only.
-    let mut stack = Some(paint_stack());
     let mut demo = Demo::new(core::hint::black_box(scene), size)?;
     loop {
         waited.0.set(0);
