@@ -101,9 +101,10 @@ fn meshes() {
         "scenes/meshes/house.gltf",
         "scenes/meshes/suzanne.glb",
         "scenes/meshes/ring_coloured.ply",
+        "tests/data/post.mtl",
     ];
     changed(&files, 40, |file, bytes| {
-        let kind = ["obj", "gltf", "glb", "stl", "ply"]
+        let kind = ["obj", "gltf", "glb", "stl", "ply", "mtl"]
             .iter()
             .position(|kind| file.ends_with(kind));
         let kind = kind.expect("one of them") as u8;

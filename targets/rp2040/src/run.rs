@@ -91,8 +91,9 @@ fn frames<D: Display, const PIXELS: usize>(
         shown(display);
         // Once: looking takes long.
         if let Some(used) = stack.take().and_then(|stack| stack.used_bytes()) {
-            let line = Line::new().small("stack", used as u32);
-            line.end(|text| console.print(text));
+            Line::new()
+                .small("stack", used as u32)
+                .end(|text| console.print(text));
         }
         demo.report(cost).end(|text| console.print(text));
     }

@@ -9,7 +9,7 @@ use fixel_scene::{InMemory, Loader};
 const MOST_BAKED: usize = 40;
 
 /// Endings of meshes, in the order in which an input's first byte chooses them.
-const KINDS: [&str; 5] = ["obj", "gltf", "glb", "stl", "ply"];
+const KINDS: [&str; 6] = ["obj", "gltf", "glb", "stl", "ply", "mtl"];
 
 /// What scene files may name.
 static FILES: LazyLock<InMemory> = LazyLock::new(|| {
@@ -21,6 +21,14 @@ static FILES: LazyLock<InMemory> = LazyLock::new(|| {
         Path::new("checker.png"),
         read("scenes/textures/checker.png"),
     );
+    files
+});
+
+/// A mesh whose materials are in a library, which is not among them.
+static POST: LazyLock<InMemory> = LazyLock::new(|| {
+    let mut files = InMemory::default();
+    files.insert(Path::new("post.obj"), read("tests/data/post.obj"));
+    files.insert(Path::new("bricks.png"), read("scenes/textures/checker.png"));
     files
 });
 
@@ -36,12 +44,18 @@ pub fn text(bytes: &[u8]) {
     load(&files, "scene.toml");
 }
 
-/// A mesh of the kind that the first byte says.
+/// A mesh of the kind that the first byte says, or a library of materials.
 pub fn mesh(bytes: &[u8]) {
     let Some((kind, bytes)) = bytes.split_first() else {
         return;
     };
-    let name = format!("mesh.{}", KINDS[usize::from(*kind) % KINDS.len()]);
+    let kind = KINDS[usize::from(*kind) % KINDS.len()];
+    if kind == "mtl" {
+        let mut files = POST.clone();
+        files.insert(Path::new("post.mtl"), bytes.to_vec());
+        return load(&files, "post.obj");
+    }
+    let name = format!("mesh.{kind}");
     let mut files = InMemory::default();
     files.insert(Path::new(&name), bytes.to_vec());
     load(&files, &name);

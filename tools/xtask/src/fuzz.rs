@@ -15,9 +15,9 @@ use crate::{child, debian, parallel, paths, scene};
 
 /// The fuzzers: name, longest input in bytes.
 const FUZZERS: [(&str, u32); 6] = [
+    ("scene", 1024),
     ("blob", 16 << 10),
     ("calls", 512),
-    ("scene", 1024),
     ("text", 4096),
     ("mesh", 8192),
     ("picture", 4096),
@@ -41,14 +41,27 @@ pub fn names() -> Vec<&'static str> {
 
 /// Seconds of each fuzzer in continuous integration.
 const STAGE_SECONDS: u32 = 20;
+/// The same of scenes, each of which takes long.
+const STAGE_SCENE_SECONDS: u32 = 60;
 
 /// How long fuzzers run, and from where.
 struct Course {
     seconds: u32,
+    /// The same of the fuzzer of scenes.
+    scene_seconds: u32,
     /// Of libFuzzer's random numbers; another one each time if there is none.
     seed: Option<u32>,
     /// A folder for each fuzzer's inputs is in this one.
     corpora: PathBuf,
+}
+
+impl Course {
+    fn seconds_of(&self, fuzzer: &str) -> u32 {
+        match fuzzer {
+            "scene" => self.scene_seconds,
+            _ => self.seconds,
+        }
+    }
 }
 
 /// Runs the fuzzers named, all if none is, for so many seconds each. Each one that finds
@@ -56,6 +69,7 @@ struct Course {
 pub fn run(tally: &mut Tally, only: &[String], seconds: u32) -> Result<Value> {
     let course = Course {
         seconds,
+        scene_seconds: seconds,
         seed: None,
         corpora: folder().join("corpus"),
     };
@@ -73,6 +87,7 @@ pub fn stage(tally: &mut Tally) {
     let result = begun.and_then(|corpora| {
         let course = Course {
             seconds: STAGE_SECONDS,
+            scene_seconds: STAGE_SCENE_SECONDS,
             seed: Some(1),
             corpora,
         };
@@ -91,10 +106,10 @@ fn all(tally: &mut Tally, only: &[String], course: &Course) -> Result<Value> {
         .filter(|(name, _)| named(name))
         .collect();
     let results = parallel::map(&chosen, |(name, longest)| fuzz(name, *longest, course));
-    let seconds = course.seconds;
     let mut figures = serde_json::Map::new();
     for ((name, _), result) in chosen.into_iter().zip(results) {
-        if let Some(figure) = tally.check(&format!("fuzzer {name}, {seconds} s"), result) {
+        let what = format!("fuzzer {name}, {} s", course.seconds_of(name));
+        if let Some(figure) = tally.check(&what, result) {
             figures.insert(name.to_owned(), figure);
         }
     }
@@ -178,7 +193,7 @@ fn target() -> PathBuf {
 }
 
 fn fuzz(name: &str, longest: u32, course: &Course) -> Result<Value> {
-    let seconds = course.seconds;
+    let seconds = course.seconds_of(name);
     let corpus = course.corpora.join(name);
     let artifacts = folder().join("artifacts").join(name);
     for folder in [&corpus, &artifacts] {
@@ -241,8 +256,13 @@ fn seeds(name: &str) -> Result<Vec<(String, Vec<u8>)>> {
         }
         "mesh" => {
             // The first byte says which kind it is.
-            for (kind, file) in [(0, "cube.obj"), (1, "house.gltf"), (4, "ring_coloured.ply")] {
-                let bytes = read(&format!("scenes/meshes/{file}"))?;
+            for (kind, folder, file) in [
+                (0, "scenes/meshes", "cube.obj"),
+                (1, "scenes/meshes", "house.gltf"),
+                (4, "scenes/meshes", "ring_coloured.ply"),
+                (5, "tests/data", "post.mtl"),
+            ] {
+                let bytes = read(&format!("{folder}/{file}"))?;
                 seeds.push((file.to_owned(), [&[kind], bytes.as_slice()].concat()));
             }
         }

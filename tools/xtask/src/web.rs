@@ -88,7 +88,7 @@ const PANELS: [(&str, &str); 9] = [
     ("gc9a01-240x240", "none"),
 ];
 /// Scenes with all their files, which are dropped on the page without their folders.
-const DROPPED: [&[&str]; 3] = [
+const DROPPED: [&[&str]; 4] = [
     &["scenes/meshes/ring_coloured.ply"],
     &[
         "scenes/bench/w4_cube_textured.toml",
@@ -99,6 +99,11 @@ const DROPPED: [&[&str]; 3] = [
         "scenes/meshes/house.gltf",
         "scenes/textures/bricks.png",
         "scenes/textures/tiles.png",
+    ],
+    &[
+        "tests/data/post.obj",
+        "tests/data/post.mtl",
+        "scenes/textures/bricks.png",
     ],
 ];
 
