@@ -170,3 +170,25 @@ fn places_in_textures_do_not_lean() {
     let mean = compare(&scene("alpha_test"), 31).texel_mean;
     assert!(mean < 0.0035, "{mean} texels off in the mean");
 }
+
+/// A texture, a highlight and light of its own, from a library beside the mesh.
+#[test]
+fn a_model_with_materials_of_its_own() {
+    let scene = fixel_scene::load(&root().join("tests/data/post.obj"));
+    let scene = scene.unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!((scene.materials.len(), scene.textures.len()), (3, 1));
+    let report = compare(&scene, 0);
+    hold("post", &report);
+    assert!(
+        report.rgb_psnr_true_db >= 30.0,
+        "{} dB of the picture without a palette",
+        report.rgb_psnr_true_db
+    );
+    let baked = fixel_bake::bake(&scene).unwrap_or_else(|e| panic!("{e}"));
+    let core = baked.scene().expect("baked a moment ago");
+    let planes = fixel_host::render(&core, &fixel_host::Options::of(&core));
+    let (pixels, _) = fixel_host::picture(&core, &planes);
+    // The lamp has light of its own on its dark side.
+    let yellow = |[r, g, b]: &&[u8; 3]| *r > 120 && *g > 90 && *b < 110 && r > g;
+    assert!(pixels.iter().filter(yellow).count() > 200);
+}
