@@ -24,7 +24,6 @@ mod surface_planes;
 mod triangle;
 
 pub use corners::{Corner, SurfaceKind};
-pub(crate) use nearer::put_nearer;
 pub use run::{Footprint, LONGEST_RUN, MOST_ATTRIBUTES, RUN_FRACTION, Run, Shade, Values};
 pub use span::Fill;
 pub use surface::draw_surface;

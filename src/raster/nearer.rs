@@ -10,7 +10,7 @@ pub(super) const BY_WORDS: bool = !cfg!(narrow_multiply) && !cfg!(target_arch = 
 /// Puts depths, from `z` on in steps of `dz` (16.16), in place by fours, as long as all four
 /// are nearer than what stands there, and the last ones if those are; gives how many.
 #[inline(never)]
-pub(crate) fn put_nearer(depths: &mut [Depth], mut z: u32, dz: i32) -> usize {
+pub(super) fn put_nearer(depths: &mut [Depth], mut z: u32, dz: i32) -> usize {
     let count = depths.len();
     let (mut fours, rest) = depths.as_chunks_mut::<4>();
     while let Some((four, others)) = fours.split_first_mut() {

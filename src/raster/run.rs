@@ -9,8 +9,8 @@ pub const MOST_ATTRIBUTES: usize = 11;
 /// [`MOST_ATTRIBUTES`], or fewer for kernels of their own.
 pub type Values<const A: usize> = [i32; A];
 
-/// Pixels in a run at most: a power of two between its ends, and the last one.
-pub const LONGEST_RUN: usize = 33;
+/// Pixels in a run at most: those from its first to the next one's, and the last one.
+pub const LONGEST_RUN: usize = 65;
 
 /// Fractional bits of an attribute in a [`Run`].
 pub const RUN_FRACTION: u32 = 14;
@@ -20,6 +20,13 @@ pub trait Shade<const A: usize, C = u8> {
     /// Draws one from its first pixel on; gives how many pixels it drew, at least one. The
     /// others come again.
     fn run(&self, run: Run<'_, A, C>) -> usize;
+
+    /// Whether all pixels that are nearer than what stands there are drawn, whatever their
+    /// attributes: their depths are put in place before, along whole spans.
+    #[inline(always)]
+    fn solid(&self) -> bool {
+        false
+    }
 }
 
 /// Pixels side by side, with what is drawn there.
@@ -33,6 +40,9 @@ pub struct Run<'t, const A: usize, C = u8> {
     pub place: [i32; 2],
     /// Depth of the first pixel, 16.16, and its change a pixel.
     pub depth: (u32, i32),
+    /// How many of the first pixels are seen and have their depths in place, if the
+    /// shader is solid; of the others nothing is known.
+    pub seen: usize,
     /// Attributes of the first pixel, [`RUN_FRACTION`] fractional bits.
     pub from: Values<A>,
     /// Their change from the first to the second.
@@ -62,8 +72,17 @@ impl<const A: usize, C: Copy> Run<'_, A, C> {
         Run {
             indices: self.indices.get_mut(..count.min(len)).unwrap_or_default(),
             depths: self.depths.get_mut(..count.min(depths)).unwrap_or_default(),
+            seen: self.seen.min(count),
             ..self
         }
+    }
+
+    /// The same with nothing where pixels are seen, for those who go by depths alone.
+    pub fn unplaced(self) -> Self {
+        if let Some(seen) = self.depths.get_mut(..self.seen) {
+            seen.fill(0);
+        }
+        Run { seen: 0, ..self }
     }
 
     /// The same run.

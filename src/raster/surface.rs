@@ -87,6 +87,7 @@ fn sliver<const A: usize, C>(
             depths: depth,
             place: [column, row],
             depth: (((z as u32) << 12).wrapping_add(1 << 15), 0),
+            seen: 0,
             from,
             step: [0; A],
             bend: [0; A],

@@ -4,6 +4,7 @@ use super::attribute::Attribute;
 use super::attributes::Attributes;
 use super::corners::{Corners, SurfaceKind};
 use super::gradient::Plane;
+use super::nearer::put_nearer;
 use super::run::{Footprint, LONGEST_RUN, MOST_ATTRIBUTES, RUN_FRACTION, Run, Shade, Values};
 use super::scan::{Shape, Span, Stepped};
 use crate::frame::Stored;
@@ -133,7 +134,12 @@ impl<const A: usize> Surface<A> {
         let z = &self.depth;
         let mut from = self.here(left - column, &Here::default());
         let mut footprint = self.footprint(&from);
+        let mut seen = 0;
         loop {
+            let depth = (z.at(left - column), z.gradient.x);
+            if seen == 0 && shade.solid() {
+                seen = put_nearer(depths, depth.0, depth.1);
+            }
             let last = indices.len() as i32 - 1;
             let pixels = self.run(&from).min(last);
             let to = self.here(left - column + pixels, &from);
@@ -152,7 +158,8 @@ impl<const A: usize> Surface<A> {
                 indices: here,
                 depths: here_depths,
                 place: [left, row],
-                depth: (z.at(left - column), z.gradient.x),
+                depth,
+                seen: seen.min(count as usize),
                 from: from.values,
                 step,
                 bend,
@@ -164,6 +171,7 @@ impl<const A: usize> Surface<A> {
                 _ => return,
             };
             left += drawn as i32;
+            seen = seen.saturating_sub(drawn);
             (from, footprint) = (to, next);
             if drawn as i32 != pixels {
                 from = self.here(left - column, &Here::default());
@@ -174,7 +182,8 @@ impl<const A: usize> Surface<A> {
 
     /// How many pixels a parabola is good for: nearness changes by less than a quarter
     /// (of outlines a 32nd), so that the parabola is off by less than a 200th (a 12,800th)
-    /// of the run's change.
+    /// of the run's change. In runs of 64 pixels nearness changes by less than a 32nd, so that they are
+    /// off by no more than most of 32 are.
     #[inline(always)]
     fn run(&self, here: &Here<A>) -> i32 {
         if !self.perspective {
@@ -182,10 +191,13 @@ impl<const A: usize> Surface<A> {
         }
         // Rounded up.
         let change = (self.nearness.x.unsigned_abs() >> 16) as u32 + 1;
+        if change <= here.nearness >> (5 + RUN.ilog2()) && !self.kind.outlined {
+            return RUN;
+        }
         let (room, mut bits) = if self.kind.outlined {
-            (here.nearness >> 5, RUN.ilog2() - 1)
+            (here.nearness >> 5, RUN.ilog2() - 2)
         } else {
-            (here.nearness >> 2, RUN.ilog2())
+            (here.nearness >> 2, RUN.ilog2() - 1)
         };
         while bits > 0 && change > room >> bits {
             bits -= 1;
@@ -298,9 +310,12 @@ impl<const A: usize> Surface<A> {
             // At most a third of the change: four times its part a pixel fits.
             let off = mul_high(change, ratio) << 1;
             let own = mul_high(off << 1, over);
-            // Rounded: along the run what is off here adds up to half its square.
             *bend = -mul_high((own << 2).wrapping_add(pixels), over);
-            *step = mul_high(change + off - own, over) << 1;
+            // What rounding leaves off in the bend adds up to half the run's square: the step
+            // makes up for it at the end, so that an eighth of the square is left in the
+            // middle. Rounded as well.
+            let bent = bend.wrapping_mul(pixels - 1) >> 1;
+            *step = (mul_high(change, over) << 1 | 1).wrapping_sub(bent);
         }
         [steps, bends]
     }

@@ -70,16 +70,18 @@ impl<'a, P: Paint> Runs<'a, P> {
     ) -> usize {
         let ([left, row], face) = (run.place, self.face.get());
         let (path, count) = sampler.path(&run);
-        run.cut(count).draw::<A>(true, |number, values, _| {
-            let at = path.places.at(number);
-            let pixel = Pixel {
-                lookup: Lookup::Texel(shades, sampler.nearest(&path, at)?),
-                lit: self.surface.light(values, face).body,
-                place: [left + number, row],
-                texel: at,
-            };
-            store(self.paint.surface(&pixel, self.ids))
-        });
+        run.cut(count)
+            .unplaced()
+            .draw::<A>(true, |number, values, _| {
+                let at = path.places.at(number);
+                let pixel = Pixel {
+                    lookup: Lookup::Texel(shades, sampler.nearest(&path, at)?),
+                    lit: self.surface.light(values, face).body,
+                    place: [left + number, row],
+                    texel: at,
+                };
+                store(self.paint.surface(&pixel, self.ids))
+            });
         count
     }
 }
@@ -111,6 +113,11 @@ impl<const A: usize, P: Paint> Shade<A> for Texels<'_, P> {
             paint.surface(&pixel, *ids).index().unwrap_or_default()
         });
         count
+    }
+
+    #[inline(always)]
+    fn solid(&self) -> bool {
+        !self.sampler.texture.cut_out
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::texture::{Copied, PLACE_BITS, Places, Sampler};
 use crate::math::Depth;
-use crate::raster::{RUN_FRACTION, Run, put_nearer};
+use crate::raster::{RUN_FRACTION, Run};
 use crate::scene::{NO_TEXEL, Wrap};
 
 /// A run's way through one copy of a texture, in the same period at both ends.
@@ -14,13 +14,11 @@ pub struct Strip<'a> {
     way: Places,
     /// Of its pixels.
     pub places: Places,
-    /// Whether the picture has places where nothing is seen.
-    cut_out: bool,
 }
 
 /// How much a way may bend a pixel where texels are cut out: a line of four pixels is off
-/// by half of it, a 512th of a texel.
-const MOST_BEND: u32 = 1 << (PLACE_BITS - 8);
+/// by half of it, a 2048th of a texel.
+const MOST_BEND: u32 = 1 << (PLACE_BITS - 10);
 
 impl<'a> Sampler<'a> {
     /// The way of a run whose first two attributes are texture coordinates; `None` if
@@ -43,7 +41,6 @@ impl<'a> Sampler<'a> {
             copy: *copy,
             way,
             places,
-            cut_out: self.texture.cut_out,
         };
         Some((strip, count))
     }
@@ -152,21 +149,16 @@ impl Strip<'_> {
             depth: run.depth,
             light: [from.wrapping_add(1 << (RUN_FRACTION - 1)), change, turn],
         };
-        let (indices, depths) = (run.indices, run.depths);
-        let mut seen = 0;
-        if !self.cut_out {
-            let (z, dz) = run.depth;
-            seen = put_nearer(depths, z, dz);
-            let Some((indices, rest)) = indices.split_at_mut_checked(seen) else {
-                return;
-            };
-            cursor.draw_all(indices, &shade);
-            if rest.is_empty() {
-                return;
-            }
+        let (indices, depths, seen) = (run.indices, run.depths, run.seen);
+        let Some((placed, indices)) = indices.split_at_mut_checked(seen) else {
+            return;
+        };
+        if !placed.is_empty() {
+            cursor.draw_all(placed, &shade);
         }
-        let rest = (indices.get_mut(seen..), depths.get_mut(seen..));
-        if let (Some(indices), Some(depths)) = rest {
+        if let Some(depths) = depths.get_mut(seen..)
+            && !indices.is_empty()
+        {
             let shade = |number, level, texel| shade(number + seen as i32, level, texel);
             draw(indices, depths, &cursor.after(seen), shade);
         }
