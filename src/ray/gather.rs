@@ -1,7 +1,7 @@
 //! What a tile's rays may meet, gathered by one beam an actor: triangles, or where there are too
 //! many, parts of the mesh.
 
-use super::actor::{Form, RayActor};
+use super::actor::{Form, GridPlace, RayActor};
 use super::actors::RayActors;
 use super::beam::Beam;
 use super::camera::RayCamera;
@@ -91,6 +91,34 @@ impl Gathered {
         }
     }
 
+    /// Begins with an actor: what is no mesh is gathered as a whole; gives a mesh, with the
+    /// eye in its grid and the first node of its hierarchy. `None` if there is no room, or it cannot be told.
+    #[inline(always)]
+    fn begin<'a>(
+        &mut self,
+        actors: &'a mut RayActors<'_>,
+        number: u16,
+        (viewport, camera): (u16, &RayCamera),
+        place: (&Rect, &TileRays, [i32; 3]),
+        count: &mut usize,
+    ) -> Option<Option<(&'a RayActor, GridPlace, u32)>> {
+        let bounds = actors.bounds(number, viewport, camera);
+        let (actor, from) = actors.seen(number, viewport, camera)?;
+        let Form::Triangles { first_node } = actor.form else {
+            let bit = 1u32.checked_shl(*count as u32).unwrap_or(0);
+            if cover_exact(actor, &bounds, place, &mut self.bits, bit) {
+                *self.list.get_mut(*count)? = Candidate::all_of(number);
+                *count += 1;
+            }
+            return Some(None);
+        };
+        // From where it is too small to be seen, no ray meets it.
+        let Some(&from) = from else {
+            return Some(None);
+        };
+        Some(Some((actor, from, first_node)))
+    }
+
     /// Gathers what the rays of a perspective's tile may meet of some actors; `false` if
     /// that is more than there is room for, or cannot be told.
     #[inline(never)]
@@ -98,38 +126,25 @@ impl Gathered {
         &mut self,
         scene: &Scene<'_>,
         actors: &mut RayActors<'_>,
-        (viewport, camera): (u16, &RayCamera),
+        view: (u16, &RayCamera),
         listed: &[u16],
         (tile, left): (&Rect, &mut Stack),
     ) -> bool {
+        let (_, camera) = view;
         let (Some(rays), Some(eye)) = (camera.tile(tile), camera.eye()) else {
             return false;
         };
         self.bits.fill(0);
         let size = [tile.width(), tile.height()];
+        let place = (tile, &rays, eye);
         let mut count = 0;
         for number in listed {
-            let bounds = actors.bounds(*number, viewport, camera);
-            let Some((actor, from)) = actors.seen(*number, viewport, camera) else {
+            let Some(found) = self.begin(actors, *number, view, place, &mut count) else {
                 return false;
             };
-            let bit = 1u32.checked_shl(count as u32).unwrap_or(0);
-            let first_node = match actor.form {
-                Form::Triangles { first_node } => first_node,
-                _ => {
-                    let place = (tile, &rays, eye);
-                    if cover_exact(actor, &bounds, place, &mut self.bits, bit) {
-                        let Some(slot) = self.list.get_mut(count) else {
-                            return false;
-                        };
-                        *slot = Candidate::all_of(*number);
-                        count += 1;
-                    }
-                    continue;
-                }
+            let Some((actor, from, first_node)) = found else {
+                continue;
             };
-            // From where it is too small to be seen, no ray meets it.
-            let Some(&from) = from else { continue };
             let Some(beam) = Beam::new(actor, from, &rays, size) else {
                 return false;
             };
@@ -172,37 +187,29 @@ impl Gathered {
         &mut self,
         scene: &Scene<'_>,
         actors: &mut RayActors<'_>,
-        (viewport, camera): (u16, &RayCamera),
+        view: (u16, &RayCamera),
         listed: &[u16],
         tile: &Rect,
     ) -> bool {
+        let (_, camera) = view;
         let (Some(rays), Some(eye)) = (camera.tile(tile), camera.eye()) else {
             return false;
         };
         self.bits.fill(0);
         let size = [tile.width(), tile.height()];
+        let place = (tile, &rays, eye);
         let mut count = 0;
         // Each that follows has room for one.
         let Some(mut room) = MOST.checked_sub(listed.len()) else {
             return false;
         };
         for number in listed {
-            let bounds = actors.bounds(*number, viewport, camera);
-            let Some((actor, from)) = actors.seen(*number, viewport, camera) else {
+            let Some(found) = self.begin(actors, *number, view, place, &mut count) else {
                 return false;
             };
-            let bit = 1u32.checked_shl(count as u32).unwrap_or(0);
-            let Form::Triangles { first_node } = actor.form else {
-                let place = (tile, &rays, eye);
-                if cover_exact(actor, &bounds, place, &mut self.bits, bit)
-                    && let Some(slot) = self.list.get_mut(count)
-                {
-                    *slot = Candidate::all_of(*number);
-                    count += 1;
-                }
+            let Some((actor, from, first_node)) = found else {
                 continue;
             };
-            let Some(&from) = from else { continue };
             let Some(beam) = Beam::new(actor, from, &rays, size) else {
                 return false;
             };
