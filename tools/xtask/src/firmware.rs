@@ -88,10 +88,10 @@ pub fn demo(board: &Board, scene: &scene::Baked, parts: Parts) -> Result<Demo> {
     build_demo(board, scene, &demo_features(board, parts), &[])
 }
 
-/// Builds the demo firmware of a board with little flash, with a scene linked in: optimised a
-/// little less, which leaves loops as they are instead of writing them out.
+/// Builds the demo firmware of a board with little flash, with a scene linked in: optimised
+/// for size, which leaves more room for what is still to come than speed would.
 pub fn small_demo(board: &Board, scene: &scene::Baked) -> Result<Demo> {
-    let level = [("CARGO_PROFILE_RELEASE_OPT_LEVEL", "2")];
+    let level = [("CARGO_PROFILE_RELEASE_OPT_LEVEL", "z")];
     build_demo(board, scene, &demo_features(board, Parts::Compact), &level)
 }
 
