@@ -15,11 +15,9 @@ use fixel::vertex::ScreenVertex;
 use crate::capacity::ACTORS;
 use crate::kernel::{AtVertices, Kernel, Surface, Way};
 use crate::seen::{Front, Seen};
-use crate::span;
+use crate::span::{self, LONGEST_RUN_PX, RunPx};
 use crate::term::{Term, Work};
 
-/// Longest run of a surface's pixels.
-const RUN_PX: f64 = 32.0;
 /// Pixels between levels that are divided by distance.
 const PERSPECTIVE_PX: f64 = 16.0;
 
@@ -156,7 +154,7 @@ impl Counter {
             }
             Way::Gouraud if self.perspective && levels_bend(corners) => {
                 self.add(Term::LargePerspective, 1.0);
-                self.add(Term::PerspectiveRun, seen.runs(PERSPECTIVE_PX));
+                self.add(Term::PerspectiveRun, seen.runs(|_| PERSPECTIVE_PX));
                 self.large_gouraud(&seen);
             }
             Way::Gouraud if small => self.plain(&seen, Term::SmallGouraud),
@@ -164,7 +162,15 @@ impl Counter {
                 self.add(Term::LargeGouraud, 1.0);
                 self.large_gouraud(&seen);
             }
-            Way::Surface(surface) => self.surface(&seen, surface, actor),
+            Way::Surface(surface) => {
+                let runs = if self.perspective {
+                    let longest = RunPx::new(corners, surface.cut_out);
+                    seen.runs(|middle| longest.at(middle))
+                } else {
+                    seen.runs(|_| LONGEST_RUN_PX)
+                };
+                self.surface(&seen, runs, surface, actor);
+            }
         }
     }
 
@@ -209,17 +215,24 @@ impl Counter {
         self.add(Term::LargeGouraudPxInFront, seen.in_front);
     }
 
-    fn surface(&mut self, seen: &Seen, surface: Surface, actor: usize) {
+    fn surface(&mut self, seen: &Seen, runs: f64, surface: Surface, actor: usize) {
         let Surface { attributes, .. } = surface;
-        let runs = seen.runs(RUN_PX);
         self.add(Term::SurfaceTriangle, 1.0);
         self.add(Term::SurfaceTriangleAttribute, attributes);
         self.add(Term::SurfaceRow, seen.rows);
         self.add(Term::SurfaceRowAttribute, seen.rows * attributes);
-        self.add(Term::SurfaceRun, runs);
-        self.add(Term::SurfaceRunAttribute, runs * attributes);
         self.add(Term::SurfacePx, seen.px);
-        if self.perspective {
+        let texels = surface.textured && !surface.coloured && !surface.blended && !surface.door;
+        if texels {
+            self.add(Term::TexelSpan, seen.spans());
+            self.add(Term::TexelRun, runs);
+        } else {
+            self.add(Term::SurfaceRun, runs);
+            self.add(Term::SurfaceRunAttribute, runs * attributes);
+        }
+        if self.perspective && texels {
+            self.add(Term::PerspectiveTexelRun, runs);
+        } else if self.perspective {
             self.add(Term::PerspectiveSurfaceRun, runs);
             self.add(Term::PerspectiveSurfaceRunAttribute, runs * attributes);
         }
@@ -249,8 +262,7 @@ impl Counter {
             _ => Term::Lit,
         };
         lights.shine(&mut self.work, what, lit, tinted);
-        let by_level = surface.textured && !surface.coloured;
-        if by_level && !surface.blended && !surface.door {
+        if texels {
             let texel = if by_face {
                 Term::FaceTexelPx
             } else {

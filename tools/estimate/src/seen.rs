@@ -17,14 +17,20 @@ pub(crate) struct Seen {
     pub px: f64,
     /// Pixels that were not behind others.
     pub in_front: f64,
-    /// Pixels of each row that has some.
-    lengths: Vec<f64>,
+    /// The middle of each row that has pixels, and how many.
+    spans: Vec<([f64; 2], f64)>,
 }
 
 impl Seen {
-    /// Runs of so many pixels.
-    pub fn runs(&self, longest: f64) -> f64 {
-        self.lengths.iter().map(|l| (l / longest).ceil()).sum()
+    /// Runs of at most so many pixels, by the middle of a row.
+    pub fn runs(&self, longest: impl Fn([f64; 2]) -> f64) -> f64 {
+        let runs = |(middle, px): &([f64; 2], f64)| (px / longest(*middle)).ceil();
+        self.spans.iter().map(runs).sum()
+    }
+
+    /// Rows that have pixels.
+    pub fn spans(&self) -> f64 {
+        self.spans.len() as f64
     }
 }
 
@@ -51,7 +57,7 @@ impl Front {
             rows: 0.0,
             px: 0.0,
             in_front: 0.0,
-            lengths: Vec::new(),
+            spans: Vec::new(),
         };
         let stride = usize::from(target.stride);
         for row in span::rows(places, target.top..target.end) {
@@ -61,7 +67,9 @@ impl Front {
                 continue;
             }
             seen.px += columns.len() as f64;
-            seen.lengths.push(columns.len() as f64);
+            let middle = [(columns.start + columns.end) as f64, f64::from(2 * row + 1)];
+            seen.spans
+                .push((middle.map(|c| c / 2.0), columns.len() as f64));
             let start = (row as usize - usize::from(target.top)) * stride;
             // A rounding more on each side.
             let from = columns.start.saturating_sub(1);

@@ -41,6 +41,56 @@ pub(crate) fn first_centre(place: f64) -> i32 {
     (place - 0.5).ceil() as i32
 }
 
+/// Pixels of a surface's longest run.
+pub(crate) const LONGEST_RUN_PX: f64 = 64.0;
+
+/// How long the runs of a triangle are, as `fixel::raster` has them: by how nearness changes
+/// along rows.
+pub(crate) struct RunPx {
+    /// A corner, and the nearness there.
+    corner: [f64; 2],
+    nearness: f64,
+    /// Its change a column and a row.
+    change: [f64; 2],
+    cut_out: bool,
+}
+
+impl RunPx {
+    pub(crate) fn new(corners: [&ScreenVertex; 3], cut_out: bool) -> Self {
+        let [a, b, c] = corners.map(place);
+        let [za, zb, zc] = corners.map(|corner| f64::from(corner.z().to_bits()));
+        let ([bx, by], [cx, cy]) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+        let area = bx * cy - cx * by;
+        let along = ((zb - za) * cy - (zc - za) * by) / area;
+        let down = ((zc - za) * bx - (zb - za) * cx) / area;
+        Self {
+            corner: a,
+            nearness: za,
+            change: [along, down],
+            cut_out,
+        }
+    }
+
+    /// That of a row, by the nearness in its middle.
+    pub(crate) fn at(&self, [x, y]: [f64; 2]) -> f64 {
+        let ([ax, ay], [along, down]) = (self.corner, self.change);
+        let nearness = self.nearness + along * (x - ax) + down * (y - ay);
+        let fits = |px: f64, part: f64| along.abs() * px <= nearness * part;
+        if !self.cut_out && fits(LONGEST_RUN_PX, 1.0 / 32.0) {
+            return LONGEST_RUN_PX;
+        }
+        let (mut px, part) = if self.cut_out {
+            (16.0, 1.0 / 32.0)
+        } else {
+            (32.0, 1.0 / 4.0)
+        };
+        while px > 1.0 && !fits(px, part) {
+            px /= 2.0;
+        }
+        px
+    }
+}
+
 /// The least and the most.
 pub(crate) fn ends<const N: usize>(all: [f64; N]) -> (f64, f64) {
     let least = all.iter().copied().fold(f64::INFINITY, f64::min);

@@ -129,6 +129,12 @@ terms! {
     PerspectiveSurfaceRun,
     /// An attribute in it.
     PerspectiveSurfaceRunAttribute,
+    /// A row of a triangle of texels by level, which are drawn by kernels of their own.
+    TexelSpan,
+    /// A run of such a row.
+    TexelRun,
+    /// Such a run that distance bends.
+    PerspectiveTexelRun,
     /// A triangle with smaller copies of its texture.
     CopiesTriangle,
     /// A run of such a triangle.
