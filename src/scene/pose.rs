@@ -182,21 +182,15 @@ impl Pose<'_> {
         placement
     }
 
-    /// [`Pose::placement`] as a place.
-    #[inline(never)]
-    fn own_place(&self, scene: &Scene<'_>, index: u16, actor: &Actor) -> Place {
-        self.placement(scene, index, actor).into()
-    }
-
     /// Where an actor is in the world in this frame.
     #[inline(never)]
     pub fn place(&self, scene: &Scene<'_>, index: u16, actor: &Actor) -> Place {
-        let mut place = self.own_place(scene, index, actor);
+        let mut place = Place::from(self.placement(scene, index, actor));
         let mut parent = actor.parent;
         for _ in 0..super::layout::PARENTS {
             let Some(index) = parent else { break };
             let actor = scene.actor(index);
-            let above = self.own_place(scene, index, &actor);
+            let above = Place::from(self.placement(scene, index, &actor));
             place = above.holding(&place);
             parent = actor.parent;
         }
