@@ -1,22 +1,31 @@
 //! Square roots in little code: `core`'s take six times as much, with tables.
 
-/// The square root, rounded down, a bit at a time (Woo's abacus algorithm; see Warren,
-/// "Hacker's Delight", section 11-1).
+/// The square root of a number, rounded down, a bit at a time (Woo's abacus algorithm; see
+/// Warren, "Hacker's Delight", section 11-1): for each width in its own registers.
+macro_rules! by_bits {
+    ($of:expr, $width:ty) => {{
+        let of: $width = $of;
+        let (mut rest, mut root) = (of, 0);
+        // The highest power of 4 in it.
+        let mut bit: $width = 1 << (<$width>::BITS - 2);
+        bit = bit.wrapping_shr(of.leading_zeros() & !1);
+        while bit != 0 {
+            let with = root + bit;
+            root >>= 1;
+            if rest >= with {
+                rest -= with;
+                root += bit;
+            }
+            bit >>= 2;
+        }
+        root
+    }};
+}
+
+/// The square root, rounded down.
 #[inline(never)]
 pub(crate) fn square_root(of: u64) -> u64 {
-    let (mut rest, mut root) = (of, 0);
-    // The highest power of 4 in it.
-    let mut bit = (1u64 << 62).wrapping_shr(of.leading_zeros() & !1);
-    while bit != 0 {
-        let with = root + bit;
-        root >>= 1;
-        if rest >= with {
-            rest -= with;
-            root += bit;
-        }
-        bit >>= 2;
-    }
-    root
+    by_bits!(of, u64)
 }
 
 /// [`square_root`] in 32 bits: the same way on cores without a divide, else by Newton's.
@@ -31,18 +40,7 @@ pub(crate) fn short_square_root(of: u32) -> u32 {
 
 #[inline(always)]
 fn by_bits(of: u32) -> u32 {
-    let (mut rest, mut root) = (of, 0);
-    let mut bit = (1u32 << 30).wrapping_shr(of.leading_zeros() & !1);
-    while bit != 0 {
-        let with = root + bit;
-        root >>= 1;
-        if rest >= with {
-            rest -= with;
-            root += bit;
-        }
-        bit >>= 2;
-    }
-    root
+    by_bits!(of, u32)
 }
 
 /// Newton's method from a power of two that is not below the root, from where it falls.

@@ -4,7 +4,7 @@
 #![deny(clippy::arithmetic_side_effects)]
 
 use super::layout::FOG_ROWS;
-use super::parse::{count, last, range};
+use super::range::{count, last, range};
 use super::records::{i, w};
 use super::{Field, Record, Scene, SceneError, Section};
 

@@ -3,7 +3,7 @@
 // Bytes from anywhere come in: whatever they say, nothing overflows.
 #![deny(clippy::arithmetic_side_effects)]
 
-use super::parse::{count, last, range};
+use super::range::{count, last, range};
 use super::records::{i, u};
 use super::{Field, Meshlet, Record, Scene, SceneError, Section, layout};
 

@@ -1,7 +1,7 @@
 //! From the frame that is drawn to the picture that is shown: samples of a pixel,
 //! and pictures for two eyes.
 
-use super::parse::{count, range};
+use super::range::{count, range};
 use super::records::{i, w};
 use super::{Field, Record, Scene, SceneError, Section};
 

@@ -5,7 +5,7 @@
 
 use super::access::cones;
 use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
-use super::parse::{count, last, range};
+use super::range::{count, last, range};
 use super::{Field, Mesh, Meshlet, Record, Scene, SceneError, Section};
 
 impl Scene<'_> {

@@ -4,7 +4,7 @@
 #![deny(clippy::arithmetic_side_effects)]
 
 use super::layout::{self, RAY_STACK};
-use super::parse::{count, last, range};
+use super::range::{count, last, range};
 use super::{
     Child, Field, LightArea, Mesh, Meshlet, Node, Optics, RaySettings, Record, Scene, SceneError,
     Section, Shape,

@@ -1,6 +1,6 @@
 //! Key frames: what moves, and where it is in a frame.
 
-use super::parse::{last, range};
+use super::range::{last, range};
 use super::records::{i, u, w};
 use super::{Field, Record, Scene, SceneError, Section, layout};
 use crate::math::{Angle, Factor};

@@ -1,6 +1,6 @@
 //! Parts of the frame with cameras of their own.
 
-use super::parse::{count, last, range};
+use super::range::{count, last, range};
 use super::records::u;
 use super::{
     Camera, CameraRecord, Field, Pose, Record, Scene, SceneError, Section, Stereo, layout,

@@ -19,7 +19,7 @@ const POWERS: f64 = 4.0;
 pub(super) struct Material {
     pub name: String,
     /// The library, among those of the OBJ file.
-    pub library: usize,
+    pub of_library: usize,
     /// `Kd`, display-encoded.
     pub diffuse: Rgb,
     /// `Ks`; black if there are no highlights.
@@ -96,7 +96,7 @@ impl Material {
     fn named(name: String, library: usize) -> Self {
         Self {
             name,
-            library,
+            of_library: library,
             diffuse: [1.0; 3],
             specular: [0.0; 3],
             power: 1.0,

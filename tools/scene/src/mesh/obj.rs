@@ -34,7 +34,7 @@ pub(super) fn read(origin: Origin<'_>, bytes: &[u8]) -> Result<Soup, Refusal> {
             }
             Some("vn") => normals.push(numbers(line, "vn", &words)?),
             Some("vt") => coordinates.push(texture_coordinates(line, &words)?),
-            Some("mtllib") => materials.library(origin, &words[1..], &mut soup)?,
+            Some("mtllib") => materials.read(origin, &words[1..], &mut soup)?,
             _ => {}
         }
     }

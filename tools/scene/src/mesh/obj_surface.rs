@@ -47,7 +47,7 @@ type Pictures = Vec<((usize, mtl::Picture), (Texture, Texturing))>;
 impl Materials {
     /// `mtllib`: several files, or one with spaces in its name. One that cannot be had is
     /// left out with a note, since models are often handed on without theirs.
-    pub(super) fn library(
+    pub(super) fn read(
         &mut self,
         origin: Origin<'_>,
         words: &[&str],
@@ -213,13 +213,13 @@ impl Materials {
             soup.note("a texture is left out, as there are no texture coordinates");
             return None;
         }
-        let key = (material.library, picture.clone());
+        let key = (material.of_library, picture.clone());
         let known = pictures.iter().position(|(other, _)| *other == key);
         if known.is_some() {
             return known;
         }
         let library = Origin {
-            path: self.libraries.get(material.library)?,
+            path: self.libraries.get(material.of_library)?,
             ..origin
         };
         match picture.read(library) {
