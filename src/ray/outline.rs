@@ -93,12 +93,14 @@ fn inside(
     let most = offs.as_flattened().iter();
     let most = most.fold(0, |m, c| m | c.unsigned_abs());
     let up = most.leading_zeros() as i32 - (32 - PLACE_BITS);
-    // So near that what corners are off by would show, or farther than can be told.
-    if !(0..PLACE_BITS - 14).contains(&up) {
+    // So near that what corners are off by would show, or as far as differences go.
+    if up >= PLACE_BITS - 14 || most >= i32::MAX as u32 {
         return None;
     }
-    let [a, b, c, d] = offs.map(|off| off.map(|c| c << up));
-    let off = OFF << up;
+    // Those far away are shortened, which rounds.
+    let scaled = |c: i32| if up < 0 { c >> -up } else { c << up };
+    let [a, b, c, d] = offs.map(|off| off.map(scaled));
+    let off = scaled(OFF) + 1;
     let far_side = Side::through(b, c, off)?;
     // On which side of its plane the eye is.
     let volume = far_side.off(a);
@@ -141,4 +143,56 @@ fn inside(
         }
     }
     Some(rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TILE_SIZE: [u16; 2] = [TILE as u16; 2];
+
+    /// A tile that looks along `middle`, some 30 bits, a 128th of it wide.
+    fn tile(middle: [i32; 3]) -> TileRays {
+        TileRays {
+            middle,
+            across: [1 << 30, 0, 0],
+            down: [0, -(1 << 30), 0],
+            up: 10,
+        }
+    }
+
+    /// A floor below the eye, `half` to each side and `low` below, turned a bit.
+    fn floor(half: i32, low: i32) -> [[i32; 3]; 4] {
+        let part = |c: i32, sixteenths: i32| (i64::from(c) * i64::from(sixteenths) / 16) as i32;
+        let (long, short) = (part(half, 14), part(half, 3));
+        [
+            [-long, -low, -short],
+            [short, -low, -long],
+            [long, -low, short],
+            [-short, -low, long],
+        ]
+    }
+
+    #[test]
+    fn the_sky_is_left_out_and_the_floor_is_not_at_any_distance() {
+        let (sky, ground) = (
+            tile([0, 1 << 28, -(1 << 30)]),
+            tile([0, -(1 << 28), -(1 << 30)]),
+        );
+        for half in (22..31).map(|bits| 1 << bits) {
+            let corners = floor(half, half / 8);
+            let rows = |rays: &TileRays| inside(rays, [0; 3], corners, TILE_SIZE);
+            assert_eq!(rows(&sky), Some([0; TILE]), "{half}");
+            assert_eq!(rows(&ground), Some([u8::MAX; TILE]), "{half}");
+        }
+    }
+
+    #[test]
+    fn nothing_is_told_of_corners_as_far_as_differences_go() {
+        let corners = floor(i32::MAX, i32::MAX / 8).map(|c| c.map(|c| c.saturating_mul(2)));
+        assert_eq!(
+            inside(&tile([0, 0, -(1 << 30)]), [0; 3], corners, TILE_SIZE),
+            None
+        );
+    }
 }
