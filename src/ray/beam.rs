@@ -4,10 +4,10 @@
 //! algorithms for bounding boxes", 2000), so it is never left out if a ray of the tile meets it.
 
 use super::actor::{GridPlace, RayActor};
-use super::hierarchy::{Hierarchy, Stack};
+use super::hierarchy::{Hierarchy, Later, Stack, depth_first};
 use super::screen::{Projection, TileRays, bits};
 use crate::math::mul_high;
-use crate::scene::{Child, Leaf};
+use crate::scene::Leaf;
 
 /// See the module.
 #[derive(Clone, Copy, Debug)]
@@ -68,34 +68,19 @@ impl Beam {
         &self,
         tree: &Hierarchy<'_>,
         left: &mut Stack,
-        mut leaf: impl FnMut(Leaf) -> bool,
+        leaf: impl FnMut(Leaf) -> bool,
     ) -> bool {
-        let mut count = 0usize;
-        let mut word = 0u32;
-        loop {
-            if word >> 31 == 0 {
-                if let Some((met, children)) = self.boxes(tree, word) {
-                    for (child, word) in children.iter().enumerate() {
-                        // The parser made sure that there is room.
-                        if met >> child & 1 != 0
-                            && let Some(slot) = left.get_mut(count)
-                        {
-                            slot.word = u32::from_le(*word);
-                            count += 1;
-                        }
-                    }
-                }
-            } else if let Child::Leaf(found) = Child::from_word(word.to_le())
-                && !leaf(found)
-            {
-                return false;
-            }
-            let Some(next) = count.checked_sub(1).and_then(|last| left.get(last)) else {
-                return true;
+        let node = |word, later: &mut Later<'_>| {
+            let Some((met, children)) = self.boxes(tree, word) else {
+                return;
             };
-            count -= 1;
-            word = next.word;
-        }
+            for (child, word) in children.iter().enumerate() {
+                if met >> child & 1 != 0 {
+                    later.leave(u32::from_le(*word));
+                }
+            }
+        };
+        depth_first(left, node, leaf)
     }
 
     /// Which boxes of a node are not outside, a bit each, and what they are around.

@@ -1,7 +1,7 @@
 //! A mesh's hierarchy of boxes.
 
 use crate::scene::layout::RAY_STACK;
-use crate::scene::{Mesh, Meshlet, Node, Record, Scene};
+use crate::scene::{Child, Leaf, Mesh, Meshlet, Node, Record, Scene};
 
 /// A mesh's hierarchy.
 #[derive(Clone, Copy, Debug)]
@@ -48,5 +48,55 @@ impl<'a> Hierarchy<'a> {
     #[inline(always)]
     pub(super) fn node_words(&self, number: u32) -> Option<&'a <Node as Record>::Words> {
         self.nodes.get(number as usize)
+    }
+}
+
+/// What is left for later on a way in no order: the last comes first.
+pub(super) struct Later<'s> {
+    left: &'s mut Stack,
+    count: usize,
+}
+
+impl Later<'_> {
+    #[inline(always)]
+    pub(super) fn leave(&mut self, word: u32) {
+        // The parser made sure that there is room.
+        if let Some(slot) = self.left.get_mut(self.count) {
+            slot.word = word;
+            self.count += 1;
+        }
+    }
+
+    #[inline(always)]
+    fn take(&mut self) -> Option<u32> {
+        let last = self.count.checked_sub(1)?;
+        let word = self.left.get(last)?.word;
+        self.count = last;
+        Some(word)
+    }
+}
+
+/// Goes down from the first node: `node` leaves those of its children that are wanted, `leaf`
+/// says whether to go on; `false` if it ended there.
+#[inline(always)]
+pub(super) fn depth_first(
+    left: &mut Stack,
+    mut node: impl FnMut(u32, &mut Later<'_>),
+    mut leaf: impl FnMut(Leaf) -> bool,
+) -> bool {
+    let mut later = Later { left, count: 0 };
+    let mut word = 0;
+    loop {
+        if word >> 31 == 0 {
+            node(word, &mut later);
+        } else if let Child::Leaf(found) = Child::from_word(word.to_le())
+            && !leaf(found)
+        {
+            return false;
+        }
+        match later.take() {
+            Some(next) => word = next,
+            None => return true,
+        }
     }
 }

@@ -9,7 +9,7 @@ use super::box_test::{BoxTest, SLOPE_BITS};
 use super::candidates::Candidates;
 use super::faces::Faces;
 use super::grid_ray::{AXES, GridRay};
-use super::hierarchy::{Hierarchy, Left, Stack};
+use super::hierarchy::{Hierarchy, Later, Left, Stack, depth_first};
 use super::leaves::{Wanted, Way};
 use super::triangle::TriangleHit;
 use crate::math::mul_high;
@@ -137,29 +137,12 @@ impl Hierarchy<'_> {
         thick: [i32; 2],
         range: (i32, i32),
         left: &mut Stack,
-        mut leaf: impl FnMut(Leaf) -> bool,
+        leaf: impl FnMut(Leaf) -> bool,
     ) -> bool {
-        let (mut count, mut word) = (0, 0);
-        loop {
-            if word >> 31 == 0 {
-                self.node((ray, thick), word, range, |word, _| {
-                    // The parser made sure that there is room.
-                    if let Some(slot) = left.get_mut(count) {
-                        slot.word = word;
-                        count += 1;
-                    }
-                });
-            } else if let Child::Leaf(found) = Child::from_word(word.to_le())
-                && !leaf(found)
-            {
-                return false;
-            }
-            let Some(next) = count.checked_sub(1).and_then(|last| left.get(last)) else {
-                return true;
-            };
-            count -= 1;
-            word = next.word;
-        }
+        let node = |word, later: &mut Later<'_>| {
+            self.node((ray, thick), word, range, |word, _| later.leave(word));
+        };
+        depth_first(left, node, leaf)
     }
 
     /// Hands on the boxes of a node that a ray meets, or one that is up to `thick` to its
