@@ -92,6 +92,7 @@ impl Section {
 pub enum Field {
     Count,
     Offset,
+    Features,
     Width,
     Height,
     ColourFormat,

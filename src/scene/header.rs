@@ -45,6 +45,8 @@ pub struct Header {
     /// Most that a level of a mesh may be seen off the mesh, raw sub-pixels of the frame; see
     /// [`Mesh::levels`](super::Mesh::levels).
     pub level_error: u16,
+    /// Cargo features of this crate that the scene needs, a bit for each.
+    pub features: u16,
     /// The scene's camera.
     pub camera: CameraRecord,
 }
@@ -68,7 +70,7 @@ impl Record for Header {
             dither,
             cycle,
             cycle_frames,
-            level_error,
+            level,
             camera @ ..,
         ] = words;
         let [format, exponent, centre_exponent, panel_dithering] = format.to_ne_bytes();
@@ -89,7 +91,8 @@ impl Record for Header {
             direct: u(*dither) >> 8 & 1 != 0,
             cycle: (u(*cycle) as u16, (u(*cycle) >> 16) as u16),
             cycle_frames: u(*cycle_frames),
-            level_error: u(*level_error) as u16,
+            level_error: u(*level) as u16,
+            features: (u(*level) >> 16) as u16,
             camera: CameraRecord::from_words(camera),
         }
     }
@@ -103,6 +106,7 @@ impl Record for Header {
         let dither = u32::from(self.dither_pattern)
             | u32::from(self.direct) << 8
             | u32::from(self.dither_spread) << 16;
+        let level = u32::from(self.level_error) | u32::from(self.features) << 16;
         let [c0, c1, c2] = self.world_centre.map(w);
         let own = [
             layout::MAGIC.to_le(),
@@ -119,7 +123,7 @@ impl Record for Header {
             dither.to_le(),
             cycle.to_le(),
             self.cycle_frames.to_le(),
-            u32::from(self.level_error).to_le(),
+            level.to_le(),
         ];
         let mut words = [0; layout::HEADER_WORDS];
         let all = own.into_iter().chain(self.camera.to_words());

@@ -6,6 +6,7 @@ mod access;
 mod camera_record;
 mod cone;
 mod error;
+mod features;
 mod fog;
 mod header;
 mod light;
@@ -52,11 +53,13 @@ pub mod layout {
     /// `FXL1`.
     pub const MAGIC: u32 = u32::from_le_bytes(*b"FXL1");
     /// Version of the layout. A reader refuses any other.
-    pub const VERSION: u32 = 7;
+    pub const VERSION: u32 = 8;
     /// Words of the header, before the section table.
     pub const HEADER_WORDS: usize = 28;
     /// Sections; each has two words in the table: byte offset and count.
     pub const SECTIONS: usize = 36;
+    /// Cargo features that a scene may need: bits of the header.
+    pub const FEATURES: usize = 9;
     /// Bytes before the first section.
     pub const PREFIX_BYTES: usize = 4 * (HEADER_WORDS + 2 * SECTIONS);
     /// Where the checksum starts: after magic, version, length, checksum.

@@ -10,8 +10,8 @@ use super::layout;
 use super::range::{count, last, range};
 use super::sections::find_sections;
 use super::{
-    ColourFormat, DitherPattern, Field, Header, Material, PanelDithering, Record, Scene,
-    SceneError, Section, Shading, Transparency, checksum,
+    ColourFormat, DitherPattern, Field, Header, PanelDithering, Record, Scene, SceneError, Section,
+    checksum,
 };
 
 impl<'a> Scene<'a> {
@@ -24,6 +24,7 @@ impl<'a> Scene<'a> {
     pub fn parse(bytes: &'a [u8]) -> Result<Self, SceneError> {
         let scene = Self::intact(bytes)?;
         check_header(&scene.header)?;
+        scene.check_features()?;
         scene.check_colours()?;
         scene.check_lights()?;
         scene.check_textures()?;
@@ -97,56 +98,8 @@ impl<'a> Scene<'a> {
         let mut parts: [&[u8]; layout::SECTIONS] = [&[]; layout::SECTIONS];
         find_sections(bytes, rest, &mut parts)?;
         let scene = Self::of(header, &parts);
-        scene.check_features(&parts)?;
+        scene.check_program()?;
         Ok(scene)
-    }
-
-    /// Whether the program was built with what the scene uses.
-    fn check_features(&self, parts: &[&[u8]; layout::SECTIONS]) -> Result<(), SceneError> {
-        let some = |section: Section| parts.get(section as usize).is_some_and(|p| !p.is_empty());
-        let any = |used: fn(&Material) -> bool| {
-            let mut materials = self.materials.iter().map(Material::from_words);
-            materials.any(|material| used(&material))
-        };
-        let features = [
-            ("lod", cfg!(feature = "lod"), self.header.level_error != 0),
-            (
-                "texture",
-                cfg!(feature = "texture"),
-                some(Section::Textures),
-            ),
-            ("lines", cfg!(feature = "lines"), some(Section::Looks)),
-            (
-                "viewports",
-                cfg!(feature = "viewports"),
-                some(Section::Viewports) || some(Section::Output),
-            ),
-            (
-                "animation",
-                cfg!(feature = "animation"),
-                some(Section::Tracks),
-            ),
-            ("fog", cfg!(feature = "fog"), some(Section::Fog)),
-            (
-                "light",
-                cfg!(feature = "light"),
-                any(|m| m.full || m.coloured),
-            ),
-            (
-                "gouraud",
-                cfg!(feature = "gouraud"),
-                any(|m| m.shading != Shading::Flat),
-            ),
-            (
-                "transparency",
-                cfg!(feature = "transparency"),
-                any(|m| m.transparency != Transparency::Opaque),
-            ),
-        ];
-        match features.iter().find(|(_, there, used)| *used && !there) {
-            Some((name, ..)) => Err(SceneError::Feature { name }),
-            None => Ok(()),
-        }
     }
 
     /// Palette entries in use and the indices that point to them.

@@ -280,7 +280,13 @@ fn bake_with(scene: &Scene, rays: Option<&[Sample]>) -> Result<Baked, BakeError>
         };
         return Err(problem.at(Element::Animation));
     }
-    let words = assemble(header(scene, &units, tables.spread)?, &sections)?;
+    let mut words = assemble(header(scene, &units, tables.spread)?, &sections)?;
+    let whole = fixel::Scene::parse(bytemuck::cast_slice(&words))?;
+    let header = Header {
+        features: whole.features_used(),
+        ..*whole.header()
+    };
+    seal(&mut words, header);
     Ok(Baked {
         words,
         sources: parts.sources,

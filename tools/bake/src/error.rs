@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use fixel::SceneError;
 use fixel_scene::Element;
 
 /// Something that a blob cannot hold, and where it is.
@@ -44,6 +45,14 @@ impl From<Problem> for BakeError {
             element: None,
             problem,
         }
+    }
+}
+
+/// What the core refuses of a blob.
+impl From<SceneError> for BakeError {
+    fn from(error: SceneError) -> Self {
+        let what = error.to_string();
+        Problem::NotYet { what }.into()
     }
 }
 

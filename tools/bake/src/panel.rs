@@ -1,6 +1,5 @@
 //! A baked scene for another panel than it was baked for.
 
-use fixel::SceneError;
 use fixel_scene::{ColourFormat, Screen};
 
 use crate::blob::{Baked, seal};
@@ -20,10 +19,7 @@ impl Baked {
     /// # Errors
     /// For a scene without a palette, which shows on panels of RGB565 alone.
     pub fn on(&self, screen: &Screen) -> Result<Self, BakeError> {
-        let broken = |error: SceneError| Problem::NotYet {
-            what: error.to_string(),
-        };
-        let scene = self.scene().map_err(broken)?;
+        let scene = self.scene()?;
         let mut header = *scene.header();
         let panel = &screen.panel;
         if header.direct && panel.colour != ColourFormat::Rgb565 {

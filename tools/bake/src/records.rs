@@ -1,7 +1,7 @@
 //! What the description says of camera and actors, in the blob's records.
 
 use fixel::math::SUBPX_BITS;
-use fixel::scene::layout::STEP_EXPONENTS;
+use fixel::scene::layout::{FEATURES, STEP_EXPONENTS};
 use fixel::scene::{self as core_scene, CameraRecord, Header};
 use fixel_scene::{
     Camera, ColourFormat, Dithering, Element, PanelDithering, Projection, Scene, Space,
@@ -44,6 +44,8 @@ pub(crate) fn header(scene: &Scene, units: &Units, spread: f64) -> Result<Header
             let sub_pixels = lod.error * across.min(down) * f64::from(1 << SUBPX_BITS);
             sub_pixels.round().max(1.0) as u16
         }),
+        // Until it is known what the whole needs.
+        features: (1 << FEATURES) - 1,
         camera,
     })
 }
