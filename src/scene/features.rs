@@ -44,10 +44,8 @@ impl Scene<'_> {
 
     /// Whether the program was built with what the scene says that it needs.
     pub(super) fn check_program(&self) -> Result<(), SceneError> {
-        let lacking = |bit: usize, there: bool| self.header.features >> bit & 1 != 0 && !there;
-        let mut all = FEATURES.iter().enumerate();
-        match all.find(|(bit, (_, there))| lacking(*bit, *there)) {
-            Some((_, (name, _))) => Err(SceneError::Feature { name }),
+        match lacking(self.header.features, &FEATURES) {
+            Some(name) => Err(SceneError::Feature { name }),
             None => Ok(()),
         }
     }
@@ -63,5 +61,25 @@ impl Scene<'_> {
             field: Field::Features,
             value: stated.into(),
         })
+    }
+}
+
+/// The first feature that is asked for and is not there.
+fn lacking(stated: u16, features: &[(&'static str, bool)]) -> Option<&'static str> {
+    let mut all = features.iter().enumerate();
+    let (_, (name, _)) = all.find(|(bit, (_, there))| stated >> bit & 1 != 0 && !there)?;
+    Some(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_asked_for_and_not_there_is_named() {
+        let features = [("a", true), ("b", false), ("c", false)];
+        assert_eq!(lacking(0b001, &features), None);
+        assert_eq!(lacking(0b101, &features), Some("c"));
+        assert_eq!(lacking(0b111, &features), Some("b"));
     }
 }

@@ -113,6 +113,33 @@ fn an_index_out_of_range_is_named() {
     }
 }
 
+/// Word 14 of the header, its upper half.
+#[test]
+fn the_features_that_a_scene_needs_are_stated() {
+    let baked = moving();
+    let scene = baked.scene().unwrap();
+    let stated = scene.header().features;
+    assert_eq!(stated, scene.features_used());
+    assert_ne!(stated, 0);
+    let parsed = |features: u16| {
+        let words = with_change(&baked, |bytes| {
+            bytes[58..60].copy_from_slice(&features.to_le_bytes());
+        });
+        parse(&words)
+    };
+    assert_eq!(parsed(stated), Ok(()));
+    // More than it uses harms none, but what is used is stated, and there is no tenth.
+    assert_eq!(parsed((1 << layout::FEATURES) - 1), Ok(()));
+    for bit in (0..layout::FEATURES).filter(|bit| stated >> bit & 1 != 0) {
+        let refused = SceneError::Header {
+            field: Field::Features,
+            value: i64::from(stated & !(1 << bit)),
+        };
+        assert_eq!(parsed(stated & !(1 << bit)), Err(refused));
+    }
+    assert!(parsed(stated | 1 << layout::FEATURES).is_err());
+}
+
 #[test]
 fn every_truncation_is_refused() {
     let baked = small();
