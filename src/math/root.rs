@@ -1,34 +1,29 @@
 //! Square roots in little code: `core`'s take six times as much, with tables.
 
-/// The square root of a number, rounded down, a bit at a time (Woo's abacus algorithm; see
-/// Warren, "Hacker's Delight", section 11-1): for each width in its own registers.
-macro_rules! by_bits {
-    ($of:expr, $width:ty) => {{
-        let of: $width = $of;
-        let (mut rest, mut root) = (of, 0);
-        // The highest power of 4 in it.
-        let mut bit: $width = 1 << (<$width>::BITS - 2);
-        bit = bit.wrapping_shr(of.leading_zeros() & !1);
-        while bit != 0 {
-            let with = root + bit;
-            root >>= 1;
-            if rest >= with {
-                rest -= with;
-                root += bit;
-            }
-            bit >>= 2;
-        }
-        root
-    }};
-}
-
-/// The square root, rounded down.
+/// The square root, rounded down: that of the upper half, and as many bits again by one
+/// division (Zimmermann, "Karatsuba Square Root", 1999).
 #[inline(never)]
 pub(crate) fn square_root(of: u64) -> u64 {
-    by_bits!(of, u64)
+    // By an even number of places, so that one of the two highest bits is set.
+    let up = of.leading_zeros() & !1;
+    let raised = of.wrapping_shl(up);
+    let upper = (raised >> 32) as u32;
+    let next = raised as u32 >> 16;
+    let root = short_square_root(upper);
+    // At most twice the root: 17 bits.
+    let rest = upper.wrapping_sub(root.wrapping_mul(root));
+    // `(rest * 2^16 + next) / (2 * root)`, both halved. 0 only for 0.
+    let halved = rest << 15 | next >> 1;
+    let quotient = halved.checked_div(root).unwrap_or(0);
+    let left = halved.wrapping_sub(quotient.wrapping_mul(root)) << 1 | next & 1;
+    let below = u64::from(left) << 16 | raised & 0xffff;
+    // At most 2^16.
+    let squared = u64::from(quotient) * u64::from(quotient);
+    let found = (u64::from(root) << 16) + u64::from(quotient);
+    (found - u64::from(below < squared)) >> (up / 2)
 }
 
-/// [`square_root`] in 32 bits: the same way on cores without a divide, else by Newton's.
+/// [`square_root`] in 32 bits: by bits on cores without a divide, else by Newton's method.
 #[inline(never)]
 pub(crate) fn short_square_root(of: u32) -> u32 {
     if cfg!(narrow_multiply) {
@@ -38,9 +33,23 @@ pub(crate) fn short_square_root(of: u32) -> u32 {
     }
 }
 
+/// A bit at a time (Woo's abacus algorithm; see Warren, "Hacker's Delight", section 11-1).
 #[inline(always)]
 fn by_bits(of: u32) -> u32 {
-    by_bits!(of, u32)
+    let (mut rest, mut root) = (of, 0);
+    // The highest power of 4 in it.
+    let mut bit: u32 = 1 << 30;
+    bit = bit.wrapping_shr(of.leading_zeros() & !1);
+    while bit != 0 {
+        let with = root + bit;
+        root >>= 1;
+        if rest >= with {
+            rest -= with;
+            root += bit;
+        }
+        bit >>= 2;
+    }
+    root
 }
 
 /// Newton's method from a power of two that is not below the root, from where it falls.

@@ -38,8 +38,10 @@ pub struct Bands<'a, 'b, P: Paint = Shaded> {
     height: u16,
     actors: Actors<'a>,
     entries: &'a mut [Entry],
-    /// How many of them hold the whole frame, if they do.
-    whole: Option<usize>,
+    /// How many of them are listed.
+    listed: usize,
+    /// The row before which they are all that is visible of the rows that are not drawn yet.
+    complete_to: u16,
     cache: MeshletCache<'a>,
     band: &'a mut Band<'b, P::Stored>,
     /// Those that are not drawn yet.
@@ -79,25 +81,19 @@ impl<'a, 'b, P: Paint> Bands<'a, 'b, P> {
 
         // 1. Viewports and their cameras; the actors' matrices and lights follow
         //    when first needed.
-        let mut bands = Self {
+        Self {
             paint,
             scene,
             height,
             actors: Actors::new(scene, pose, (width, height), work.actors),
             entries: work.entries,
-            whole: None,
+            listed: 0,
+            complete_to: rows.start,
             cache: MeshletCache::new(scene, work.room, work.kept),
             band,
             rows,
             stats: FrameStats::default(),
-        };
-
-        // 2. Meshlets that may be seen, near ones first: once for the whole frame if
-        //    the list holds them, else for each band, as often as it takes.
-        let (entries, actors) = (&mut *bands.entries, &mut bands.actors);
-        let list = visible_list::fill(entries, None, scene, actors, &bands.rows, &mut bands.stats);
-        bands.whole = list.last.is_none().then_some(list.entries.len());
-        bands
+        }
     }
 
     /// What was done up to now.
@@ -122,6 +118,7 @@ impl<'a, 'b, P: Paint> Bands<'a, 'b, P> {
         }
         let top = self.rows.start;
         let rows = top..top.saturating_add(self.band.rows()).min(self.rows.end);
+        let to_come = rows.start..self.rows.end;
         self.rows.start = rows.end;
         let (paint, scene, actors) = (&self.paint, self.scene, &mut self.actors);
         let (cache, stats) = (&mut self.cache, &mut self.stats);
@@ -132,15 +129,16 @@ impl<'a, 'b, P: Paint> Bands<'a, 'b, P> {
 
         let mut after = None;
         loop {
-            let entries = match self.whole {
-                Some(count) => self.entries.get_mut(..count).unwrap_or_default(),
-                None => {
-                    stats.list_refills += 1;
-                    let list = visible_list::fill(self.entries, after, scene, actors, &rows, stats);
-                    after = list.last;
-                    list.entries
-                }
-            };
+            // 2. Meshlets that may be seen, near ones first: once for the whole frame if the
+            //    list holds them, else for as many bands as it does, and as often as a band
+            //    takes.
+            if self.complete_to < rows.end {
+                stats.list_refills += u32::from(stats.bands > 1 || after.is_some());
+                let wanted = (&to_come, rows.end);
+                let list = visible_list::fill(self.entries, after, scene, actors, wanted, stats);
+                (after, self.complete_to, self.listed) = (list.last, list.complete_to, list.count);
+            }
+            let entries = self.entries.get_mut(..self.listed).unwrap_or_default();
             for entry in entries.iter_mut().filter(|entry| entry.touches(&rows)) {
                 // 3. Vertices: transform, project, light - or as kept from the
                 //    band before. 4. Triangles: back faces, clipping, setup,

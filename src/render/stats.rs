@@ -13,8 +13,8 @@ pub struct FrameStats {
     pub meshlets_outside: u32,
     /// Meshlets left out because they show only faces that are not drawn.
     pub meshlets_away: u32,
-    /// Times that a band's list of meshlets had to be made anew because the
-    /// frame's did not fit the scratch: each costs a look at all bounds.
+    /// Times that the list of meshlets had to be made anew because the scratch did not
+    /// hold all of the frame: each costs a look at all bounds.
     pub list_refills: u32,
     /// Meshlets transformed.
     pub meshlets_transformed: u32,

@@ -80,28 +80,54 @@ impl Entry {
         let part = self.key >> PASS_SHIFT;
         (part << 16 | u32::from(near), self.actor, self.key)
     }
+
+    /// What it is sorted by.
+    fn key_of(&self, order: Order) -> Place {
+        match order {
+            Order::Drawing => self.place(),
+            Order::Rows => (self.first_row.into(), 0, 0),
+        }
+    }
 }
 
-/// A sorted list, and whether it is all there is.
-pub(super) struct List<'e> {
-    pub(super) entries: &'e mut [Entry],
-    /// If the list was too short: the place of its last entry.
+/// How a list is sorted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Order {
+    /// As it is drawn: by [`Entry::place`].
+    Drawing,
+    /// By the first row.
+    Rows,
+}
+
+/// What a list, sorted as it is drawn, holds.
+pub(super) struct Listed {
+    /// How many entries.
+    pub(super) count: usize,
+    /// The row before which it holds all; the first of the rows asked for if not even all of the
+    /// band are.
+    pub(super) complete_to: u16,
+    /// If not even all of the band are in it, the place of its last entry: the rest come after
+    /// it.
     pub(super) last: Option<Place>,
 }
 
-/// Lists the visible meshlets that touch `rows` and come after place `after`, as
-/// many as fit, near ones first.
+/// Lists the visible meshlets that touch `rows`, or if they are too many, those that begin
+/// first. If more than fit touch the band, which is the first rows, up to `band_end`: as many
+/// of those that come after place `after` as fit, near ones first.
 #[inline(never)]
-pub(super) fn fill<'e>(
-    entries: &'e mut [Entry],
+pub(super) fn fill(
+    entries: &mut [Entry],
     after: Option<Place>,
     scene: &Scene<'_>,
     actors: &mut Actors<'_>,
-    rows: &Range<u16>,
+    (rows, band_end): (&Range<u16>, u16),
     stats: &mut FrameStats,
-) -> List<'e> {
+) -> Listed {
     let mut count = 0;
-    let mut all = true;
+    // Entries that begin here or later are left out.
+    let mut end = if after.is_some() { band_end } else { rows.end };
+    // How a full list is sorted.
+    let mut sorted = None;
     for (viewport, actor) in places(scene) {
         let rect = actors.viewport(viewport).rect;
         let Some(view) = actors.get(viewport, actor) else {
@@ -129,40 +155,56 @@ pub(super) fn fill<'e>(
             };
             for pass in passes {
                 let part = u32::from(viewport) << VIEWPORT_SHIFT | (*pass as u32) << PASS_SHIFT;
-                let entry = Entry {
+                let mut entry = Entry {
                     key: part | number,
                     actor,
                     first_row: rect.top + visible.first_row,
                     end_row: rect.top + visible.end_row,
                     nearness: visible.nearness,
                 };
-                if !entry.touches(rows) || after.is_some_and(|after| entry.place() <= after) {
+                let touched = rows.start..end;
+                if !entry.touches(&touched) || after.is_some_and(|after| entry.place() <= after) {
                     continue;
                 }
                 if let Some(slot) = entries.get_mut(count) {
                     *slot = entry;
                     count += 1;
-                } else {
-                    if all {
-                        sort(entries);
-                        all = false;
-                    }
-                    displace_last(entries, entry);
+                    continue;
+                }
+                let order = sorted.unwrap_or_else(|| {
+                    let crowded = after.is_some();
+                    let order = if crowded { Order::Drawing } else { Order::Rows };
+                    sort(entries, order);
+                    order
+                });
+                sorted = Some(order);
+                entry = displace_last(entries, entry, order);
+                if order == Order::Drawing {
+                    continue;
+                }
+                end = entry.first_row.max(band_end);
+                if entry.first_row < band_end {
+                    // Now all in the list, and what fell out, touch the band.
+                    sorted = Some(Order::Drawing);
+                    sort(entries, Order::Drawing);
+                    displace_last(entries, entry, Order::Drawing);
                 }
             }
         }
     }
     let list = entries.get_mut(..count).unwrap_or_default();
-    if all {
-        sort(list);
+    let crowded = sorted == Some(Order::Drawing);
+    if !crowded {
+        sort(list, Order::Drawing);
     }
-    let last = if all {
-        None
-    } else {
+    let last = if crowded {
         list.last().map(Entry::place)
+    } else {
+        None
     };
-    List {
-        entries: list,
+    Listed {
+        count,
+        complete_to: if crowded { rows.start } else { end },
         last,
     }
 }
@@ -173,42 +215,40 @@ fn places(scene: &Scene<'_>) -> impl Iterator<Item = (u16, u16)> {
     (0..scene.viewport_count()).flat_map(move |viewport| (0..actors).map(move |a| (viewport, a)))
 }
 
-/// Whether an entry is drawn before another. A call, so that a search does not have it twice.
+/// Whether an entry comes before another. A call, so that a search does not have it twice.
 #[inline(never)]
-fn comes_before(one: &Entry, other: &Entry) -> bool {
-    one.place() < other.place()
+fn comes_before(one: &Entry, other: &Entry, order: Order) -> bool {
+    one.key_of(order) < other.key_of(order)
 }
 
-/// Puts an entry into a full sorted list at its place; the last one falls out.
+/// Puts an entry into a full sorted list at its place; gives the last one, which falls out.
 #[cold]
 #[inline(never)]
-fn displace_last(list: &mut [Entry], entry: Entry) {
-    let at = list.partition_point(|held| comes_before(held, &entry));
-    let Some(rest) = list.get_mut(at..) else {
-        return;
-    };
+fn displace_last(list: &mut [Entry], entry: Entry, order: Order) -> Entry {
+    let at = list.partition_point(|held| comes_before(held, &entry, order));
     // Each takes over what stood before it.
     let mut carried = entry;
-    for held in rest {
+    for held in list.iter_mut().skip(at) {
         core::mem::swap(held, &mut carried);
         keep_rolled();
     }
+    carried
 }
 
 /// Shell's sort with Ciura's gaps: small code, no recursion.
 #[inline(never)]
-fn sort(list: &mut [Entry]) {
+fn sort(list: &mut [Entry], order: Order) {
     for gap in [701, 301, 132, 57, 23, 10, 4, 1] {
         for start in gap..list.len() {
             let mut at = start;
-            let Some(moved) = list.get(start).map(Entry::place) else {
+            let Some(moved) = list.get(start).map(|entry| entry.key_of(order)) else {
                 break;
             };
             while let Some(before) = at.checked_sub(gap) {
                 let Ok([earlier, later]) = list.get_disjoint_mut([before, at]) else {
                     break;
                 };
-                if earlier.place() <= moved {
+                if earlier.key_of(order) <= moved {
                     break;
                 }
                 core::mem::swap(earlier, later);
