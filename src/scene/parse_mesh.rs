@@ -7,6 +7,7 @@ use super::access::cones;
 use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
 use super::range::{count, last, range};
 use super::{Field, Mesh, Meshlet, Record, Scene, SceneError, Section};
+use crate::math::square_root;
 
 impl Scene<'_> {
     pub(super) fn check_meshes(&self) -> Result<(), SceneError> {
@@ -40,7 +41,7 @@ impl Scene<'_> {
         Ok(())
     }
 
-    /// A mesh's levels are in the scene's list, and each has what the mesh has.
+    /// A mesh's levels are in the scene's list, and each has what the mesh has and is no larger.
     fn check_levels(&self, i: usize, mesh: &Mesh) -> Result<(), SceneError> {
         let s = Section::Meshes;
         let (first, levels) = mesh.levels;
@@ -58,8 +59,17 @@ impl Scene<'_> {
                 .fold(0, |all, part| all << 1 | i64::from(*part))
         };
         for number in first..first.saturating_add(levels.into()) {
-            let level = has(&self.mesh(number));
-            range(s, i, Field::Level, level, has(mesh), has(mesh))?;
+            let level = self.mesh(number);
+            range(s, i, Field::Level, has(&level), has(mesh), has(mesh))?;
+            // The mesh's sphere holds them too.
+            range(
+                s,
+                i,
+                Field::Radius,
+                level.radius.into(),
+                0,
+                mesh.radius.into(),
+            )?;
         }
         Ok(())
     }
@@ -149,6 +159,42 @@ impl Scene<'_> {
                 0,
                 vertices.wrapping_sub(1),
             )?;
+        }
+        self.check_spheres(meshlet, mesh)
+    }
+
+    /// The spheres of a meshlet and its mesh hold its vertices: they alone say which rows it may
+    /// touch, whether it is clipped, and how large numbers get.
+    #[inline(never)]
+    fn check_spheres(&self, meshlet: &Meshlet, mesh: &Mesh) -> Result<(), SceneError> {
+        let square = |c: i32| i64::from(c).wrapping_mul(c.into());
+        let fine = self.meshlet_fine(meshlet, mesh);
+        let [bx, by, bz] = meshlet.base;
+        for (j, vertex) in self.meshlet_vertices(meshlet).iter().enumerate() {
+            let from_base = meshlet.steps(*vertex, fine.get(j).copied().unwrap_or_default());
+            let [x, y, z] = from_base;
+            let from_centre = [bx.wrapping_add(x), by.wrapping_add(y), bz.wrapping_add(z)];
+            for (place, radius) in [
+                (from_base, meshlet.radius_steps()),
+                (from_centre, mesh.radius as i32),
+            ] {
+                let squared = place
+                    .iter()
+                    .fold(0, |sum: i64, c| sum.wrapping_add(square(*c)));
+                if squared > square(radius) {
+                    let vertex = j.wrapping_add(meshlet.first_vertex as usize);
+                    // Rounded up, so beyond the radius.
+                    let distance = square_root(squared as u64).wrapping_add(1) as i64;
+                    range(
+                        Section::Vertices,
+                        vertex,
+                        Field::Distance,
+                        distance,
+                        0,
+                        radius.into(),
+                    )?;
+                }
+            }
         }
         Ok(())
     }

@@ -291,6 +291,14 @@ impl Meshlet {
         let largest = self.shifts.iter().fold(0, |m, s| m.max(*s));
         i32::from(self.radius) << largest.min(14)
     }
+
+    /// Grid steps from its base to a vertex, with the low bits that one of a fine mesh has.
+    pub(crate) fn steps(&self, vertex: [i16; 4], fine: [u8; 4]) -> [i32; 3] {
+        let [x, y, z, _] = vertex.map(|c| i32::from(i16::from_le(c)));
+        let ([sx, sy, sz], [fx, fy, fz, _]) = (self.shifts, fine.map(i32::from));
+        let step = |c: i32, shift: u8, low| c.wrapping_shl(shift.into()).wrapping_add(low);
+        [step(x, sx, fx), step(y, sy, fy), step(z, sz, fz)]
+    }
 }
 
 /// A small cluster of triangles: the unit that is culled, transformed and lit.

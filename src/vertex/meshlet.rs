@@ -89,7 +89,7 @@ pub fn transform_meshlet(
             let stored = vertices.iter().zip(fine).zip(used.iter());
             for (out, ((vertex, fine), used)) in out.vertices.iter_mut().zip(stored) {
                 if *used != 0 {
-                    let place = rows.apply_fine(fine_place(meshlet, *vertex, *fine));
+                    let place = rows.apply_fine(meshlet.steps(*vertex, *fine));
                     *out = on_the_way(&perspective, place);
                 }
             }
@@ -257,16 +257,9 @@ fn clip_place(
 ) -> [i32; 3] {
     let [x, y, z, _] = vertex.map(i16::from_le);
     match fine {
-        Some(fine) => rows.apply_fine(fine_place(meshlet, vertex, *fine)),
+        Some(fine) => rows.apply_fine(meshlet.steps(vertex, *fine)),
         None => rows.apply([x, y, z]),
     }
-}
-
-/// A vertex of a fine mesh in grid steps from the base.
-fn fine_place(meshlet: &Meshlet, vertex: [i16; 4], fine: [u8; 4]) -> [i32; 3] {
-    let [x, y, z, _] = vertex.map(|c| i32::from(i16::from_le(c)));
-    let ([sx, sy, sz], [fx, fy, fz, _]) = (meshlet.shifts, fine.map(i32::from));
-    [(x << sx) + fx, (y << sy) + fy, (z << sz) + fz]
 }
 
 /// The two bytes of a vertex's normal.

@@ -141,6 +141,31 @@ fn the_features_that_a_scene_needs_are_stated() {
 }
 
 #[test]
+fn a_vertex_beyond_a_sphere_is_named() {
+    let baked = small();
+    let section = |wanted: Section| {
+        let at = 4 * (layout::HEADER_WORDS + 2 * wanted as usize);
+        let word: [u8; 4] = baked.bytes()[at..at + 4].try_into().expect("a word");
+        u32::from_le_bytes(word) as usize
+    };
+    // The meshlet's radius, a step short; the mesh's, as small as there is.
+    let meshlet = section(Section::Meshlets) + 12;
+    let mesh = section(Section::Meshes) + 8;
+    let short = vec![baked.bytes()[meshlet] - 1];
+    let least = layout::LEAST_RADIUS.to_le_bytes().to_vec();
+    for (at, radius) in [(meshlet, short), (mesh, least)] {
+        let words = with_change(&baked, |bytes| {
+            bytes[at..at + radius.len()].copy_from_slice(&radius);
+        });
+        let refused = parse(&words).expect_err("a vertex is outside");
+        let SceneError::Record { section, field, .. } = refused else {
+            panic!("{refused}");
+        };
+        assert_eq!((section, field), (Section::Vertices, Field::Distance));
+    }
+}
+
+#[test]
 fn every_truncation_is_refused() {
     let baked = small();
     for length in 0..baked.bytes().len() {
