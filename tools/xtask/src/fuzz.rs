@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
@@ -13,14 +13,30 @@ use crate::problem::{Problem, Result};
 use crate::report::{self, Tally};
 use crate::{child, debian, parallel, paths, scene};
 
-/// The fuzzers: name, longest input in bytes.
-const FUZZERS: [(&str, u32); 6] = [
-    ("scene", 1024),
-    ("blob", 16 << 10),
-    ("calls", 512),
-    ("text", 4096),
-    ("mesh", 8192),
-    ("picture", 4096),
+/// One of the fuzzers.
+struct Fuzzer {
+    name: &'static str,
+    /// Longest input in bytes.
+    longest: u32,
+    /// Executions in continuous integration: 10 to 60 seconds of them on two processors.
+    executions: u32,
+}
+
+const fn fuzzer(name: &'static str, longest: u32, executions: u32) -> Fuzzer {
+    Fuzzer {
+        name,
+        longest,
+        executions,
+    }
+}
+
+const FUZZERS: [Fuzzer; 6] = [
+    fuzzer("scene", 1024, 200),
+    fuzzer("blob", 16 << 10, 120_000),
+    fuzzer("calls", 512, 15_000),
+    fuzzer("text", 4096, 20_000),
+    fuzzer("mesh", 8192, 4_000),
+    fuzzer("picture", 4096, 50_000),
 ];
 
 const HOST: &str = "x86_64-unknown-linux-gnu";
@@ -36,30 +52,46 @@ const SEEDS: [&str; 5] = ["small", "moving", "lines", "panes", "rays"];
 
 /// The fuzzers' names.
 pub fn names() -> Vec<&'static str> {
-    FUZZERS.iter().map(|(name, _)| *name).collect()
+    FUZZERS.iter().map(|fuzzer| fuzzer.name).collect()
 }
 
-/// Seconds of each fuzzer in continuous integration.
-const STAGE_SECONDS: u32 = 20;
-/// The same of scenes, each of which takes long.
-const STAGE_SCENE_SECONDS: u32 = 60;
+/// Time after which continuous integration gives a fuzzer up: many times what it takes.
+const STAGE_LIMIT: Duration = Duration::from_secs(900);
 
 /// How long fuzzers run, and from where.
-struct Course {
-    seconds: u32,
-    /// The same of the fuzzer of scenes.
-    scene_seconds: u32,
-    /// Of libFuzzer's random numbers; another one each time if there is none.
-    seed: Option<u32>,
-    /// A folder for each fuzzer's inputs is in this one.
-    corpora: PathBuf,
+enum Course {
+    /// So many seconds, from another beginning each time.
+    Seconds(u32),
+    /// As many executions as each has in continuous integration, from the same beginning each
+    /// time: how far it comes does not hang on how fast the machine is.
+    Executions,
 }
 
 impl Course {
-    fn seconds_of(&self, fuzzer: &str) -> u32 {
-        match fuzzer {
-            "scene" => self.scene_seconds,
-            _ => self.seconds,
+    /// As libFuzzer takes it.
+    fn arguments(&self, fuzzer: &Fuzzer) -> Vec<String> {
+        match self {
+            Self::Seconds(seconds) => vec![format!("-max_total_time={seconds}")],
+            // Its own folder is not read again, which it does by the clock.
+            Self::Executions => vec![
+                "-seed=1".into(),
+                format!("-runs={}", fuzzer.executions),
+                "-reload=0".into(),
+            ],
+        }
+    }
+
+    fn limit(&self) -> Duration {
+        match self {
+            Self::Seconds(seconds) => Duration::from_secs(u64::from(*seconds) * 2 + 120),
+            Self::Executions => STAGE_LIMIT,
+        }
+    }
+
+    fn said(&self, fuzzer: &Fuzzer) -> String {
+        match self {
+            Self::Seconds(seconds) => format!("fuzzer {}, {seconds} s", fuzzer.name),
+            Self::Executions => format!("fuzzer {}, {} executions", fuzzer.name, fuzzer.executions),
         }
     }
 }
@@ -67,50 +99,34 @@ impl Course {
 /// Runs the fuzzers named, all if none is, for so many seconds each. Each one that finds
 /// nothing is a check; what is found stays in `fuzz/artifacts`.
 pub fn run(tally: &mut Tally, only: &[String], seconds: u32) -> Result<Value> {
-    let course = Course {
-        seconds,
-        scene_seconds: seconds,
-        seed: None,
-        corpora: folder().join("corpus"),
-    };
-    all(tally, only, &course)
+    let corpora = folder().join("corpus");
+    all(tally, only, &Course::Seconds(seconds), &corpora)
 }
 
-/// What continuous integration runs: all of them for a moment, from the same beginning each
-/// time.
+/// What continuous integration runs: all of them for a moment, the same each time.
 pub fn stage(tally: &mut Tally) {
     let begun = paths::work("fuzz").and_then(|corpora| {
         // What an earlier run kept is no part of the beginning.
         fs::remove_dir_all(&corpora).map_err(|error| format!("{}: {error}", corpora.display()))?;
         Ok(corpora)
     });
-    let result = begun.and_then(|corpora| {
-        let course = Course {
-            seconds: STAGE_SECONDS,
-            scene_seconds: STAGE_SCENE_SECONDS,
-            seed: Some(1),
-            corpora,
-        };
-        all(tally, &[], &course)
-    });
+    let result = begun.and_then(|corpora| all(tally, &[], &Course::Executions, &corpora));
     if let Some(figures) = tally.need("fuzzers", result) {
         eprint!("{}", markdown(&figures));
     }
 }
 
-fn all(tally: &mut Tally, only: &[String], course: &Course) -> Result<Value> {
+/// A folder for each fuzzer's inputs is in `corpora`.
+fn all(tally: &mut Tally, only: &[String], course: &Course, corpora: &Path) -> Result<Value> {
     build()?;
     let named = |name: &str| only.is_empty() || only.iter().any(|wanted| wanted == name);
-    let chosen: Vec<_> = FUZZERS
-        .into_iter()
-        .filter(|(name, _)| named(name))
-        .collect();
-    let results = parallel::map(&chosen, |(name, longest)| fuzz(name, *longest, course));
+    let all = FUZZERS.iter();
+    let chosen: Vec<_> = all.filter(|fuzzer| named(fuzzer.name)).collect();
+    let results = parallel::map(&chosen, |fuzzer| fuzz(fuzzer, course, corpora));
     let mut figures = serde_json::Map::new();
-    for ((name, _), result) in chosen.into_iter().zip(results) {
-        let what = format!("fuzzer {name}, {} s", course.seconds_of(name));
-        if let Some(figure) = tally.check(&what, result) {
-            figures.insert(name.to_owned(), figure);
+    for (fuzzer, result) in chosen.into_iter().zip(results) {
+        if let Some(figure) = tally.check(&course.said(fuzzer), result) {
+            figures.insert(fuzzer.name.to_owned(), figure);
         }
     }
     Ok(Value::Object(figures))
@@ -192,29 +208,35 @@ fn target() -> PathBuf {
     }
 }
 
-fn fuzz(name: &str, longest: u32, course: &Course) -> Result<Value> {
-    let seconds = course.seconds_of(name);
-    let corpus = course.corpora.join(name);
+fn fuzz(fuzzer: &Fuzzer, course: &Course, corpora: &Path) -> Result<Value> {
+    let name = fuzzer.name;
+    let (corpus, begin) = (corpora.join(name), corpora.join("begin").join(name));
     let artifacts = folder().join("artifacts").join(name);
-    for folder in [&corpus, &artifacts] {
+    for folder in [&corpus, &begin, &artifacts] {
         fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     }
-    let found = paths::root().join("tests/data/fuzz").join(name);
+    let mut first = Vec::new();
     for (seed, bytes) in seeds(name)? {
-        let to = corpus.join(format!("seed-{seed}"));
+        let to = begin.join(seed);
         fs::write(&to, bytes).map_err(|error| format!("{}: {error}", to.display()))?;
+        first.push(to);
     }
+    first.extend(found(name)?);
     let mut command = Command::new(target().join(HOST).join("release").join(name));
     command
         .arg(&corpus)
-        .args(found.is_dir().then_some(&found))
-        .args(course.seed.map(|seed| format!("-seed={seed}")))
+        .args(course.arguments(fuzzer))
         .arg(format!("-artifact_prefix={}/", artifacts.display()))
-        .arg(format!("-max_total_time={seconds}"))
-        .arg(format!("-max_len={longest}"))
+        .arg(format!("-max_len={}", fuzzer.longest))
         .args(["-print_final_stats=1", "-timeout=20", "-rss_limit_mb=4096"]);
-    let limit = Duration::from_secs(u64::from(seconds) * 2 + 120);
-    let run = child::bounded(&mut command, limit)?;
+    if !first.is_empty() {
+        // By name: a folder's files come in an order that is each file system's own.
+        let first: Vec<_> = first.iter().map(|path| path.to_string_lossy()).collect();
+        command.arg(format!("-seed_inputs={}", first.join(",")));
+    }
+    let began = Instant::now();
+    let run = child::bounded(&mut command, course.limit())?;
+    let seconds = began.elapsed().as_secs();
     if !run.success {
         return Err(format!(
             "found something, in {}; `cargo test -p fixel-tests --test fuzzed` runs it once it is \
@@ -232,6 +254,19 @@ fn fuzz(name: &str, longest: u32, course: &Course) -> Result<Value> {
         "branches": figures.branches,
         "corpus": figures.corpus,
     }))
+}
+
+/// What it once found, in order.
+fn found(name: &str) -> Result<Vec<PathBuf>> {
+    let folder = paths::root().join("tests/data/fuzz").join(name);
+    if !folder.is_dir() {
+        return Ok(Vec::new());
+    }
+    let entries =
+        fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let mut files: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
+    files.sort();
+    Ok(files)
 }
 
 /// What a fuzzer starts from: small files of every kind.
