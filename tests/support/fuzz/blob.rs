@@ -15,13 +15,15 @@ pub fn blob(bytes: &[u8]) {
     }
 }
 
-/// With magic number, version, length and checksum as they should be, so that what comes
-/// after them is looked at.
+/// With magic number, version, features, length and checksum as they should be, so that what
+/// comes after them is looked at.
 pub fn made_good(bytes: &[u8]) -> Option<Vec<u8>> {
     let mut words: Vec<u32> = bytes
         .chunks_exact(4)
         .map(|c| u32::from_le_bytes([c[0], c[1], c[2], c[3]]))
         .collect();
+    // All features are asked for: more than are used harm none.
+    *words.get_mut(14)? |= ((1 << layout::FEATURES) - 1) << 16;
     let checked = words.get(layout::CHECKED_FROM / 4..)?;
     let head = [
         layout::MAGIC,
