@@ -1,5 +1,6 @@
 //! From palette indices to a panel's colours. In: indices of finished rows and
-//! the palette. Out: bytes that a panel takes. Used by `display`.
+//! the palette. Out: bytes that a panel takes. Used by `display`, `render` and
+//! `ray`.
 
 mod convert;
 mod packed;

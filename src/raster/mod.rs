@@ -1,6 +1,6 @@
 //! Scan conversion. In: three [`ScreenVertex`](crate::vertex::ScreenVertex) and
 //! what to fill them with. Out: indices and depths in a
-//! [`Target`](crate::frame::Target). Used by `line`, `shade`, `render`.
+//! [`Target`](crate::frame::Target). Used by `line`, `shade`, `render`, `immediate`.
 //!
 //! A pixel belongs to a triangle if its centre lies inside, or on a top or a
 //! left edge. Edges are followed in exact integer quotients and remainders

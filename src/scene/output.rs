@@ -123,6 +123,7 @@ impl Scene<'_> {
     }
 
     /// Whether all is in range.
+    #[deny(clippy::arithmetic_side_effects)]
     pub(super) fn check_output(&self) -> Result<(), SceneError> {
         let s = Section::Output;
         if !cfg!(feature = "viewports") {

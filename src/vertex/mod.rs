@@ -1,6 +1,7 @@
 //! Vertices from the grid to the screen. In: a meshlet's vertices and an
 //! [`ActorView`](crate::view::ActorView). Out: [`ScreenVertex`] for each, lit.
-//! Used by `clip` (which asks again for clip coordinates), `line`, `raster` and `render`.
+//! Used by `clip` (which asks again for clip coordinates), `line`, `raster`, `render` and
+//! `immediate`.
 
 mod clip_coordinates;
 mod meshlet;

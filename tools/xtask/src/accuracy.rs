@@ -42,8 +42,8 @@ struct Compared {
     held: Held,
 }
 
-/// Compares every scene in `scenes/`, `scenes/bench/` and `scenes/ray/`, frame 0, at its own
-/// size, by both renderers. Gives `{"scene": {"raster": {...}, "ray": {...}}}` with the fields of `fixel
+/// Compares every scene in `scenes/`, `scenes/bench/`, `scenes/ray/` and `scenes/small/`, frame 0,
+/// at its own size, by both renderers. Gives `{"scene": {"raster": {...}, "ray": {...}}}` with the fields of `fixel
 /// compare --json`, and `rgb888_psnr_true_db`, the colour on a display with 8
 /// bits a channel. Each scene is held to limits. `report`: a folder for a page a scene and
 /// renderer, and an index over them.
