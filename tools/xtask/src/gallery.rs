@@ -36,8 +36,8 @@ fn page() -> Result<String> {
     let mut text = String::from(
         "# Gallery\n\n\
          Every scene in [scenes/](../scenes), frame 0, as the core draws it in fixed \
-         point: these are the golden frames that the tests hold it to, byte for byte on \
-         every target. How each differs from an f64 reference is in the \
+         point: these are the golden frames that the tests hold it to, byte for byte. \
+         Three emulated targets draw all of them, six more a selection (`cargo xtask parity`). How each differs from an f64 reference is in the \
          [README](../README.md). Written by `cargo xtask gallery`.\n\n\
          <table>\n",
     );

@@ -122,7 +122,7 @@ fn summary(bench: &Value, footprint: &Value, accuracy: &Value) -> String {
         ],
         [
             format!(
-                "**Coverage**, {} scenes against an f64 reference",
+                "**Coverage**, {} scenes without level of detail against an f64 reference",
                 wrong.len()
             ),
             match wrong.iter().max() {
