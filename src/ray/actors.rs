@@ -2,7 +2,8 @@
 
 use super::actor::{GridPlace, RayActor};
 use super::camera::RayCamera;
-use super::coarse::{Candidates, Sphere, Unit};
+use super::coarse::{Candidates, Unit};
+use super::known::Known;
 use super::ray::Ray;
 use crate::math::Rect;
 use crate::scene::{Pose, Scene};
@@ -45,8 +46,11 @@ pub(super) struct RayActors<'a> {
     scene: &'a Scene<'a>,
     pose: &'a Pose<'a>,
     slots: &'a mut [RaySlot],
-    /// About the first actors.
-    spheres: &'a mut [Sphere],
+    /// Where the first actors are.
+    known: &'a mut [Known],
+    /// 1 more than the number of the viewport that they are known to be seen in; 0: none.
+    looked: u16,
+    /// Of their spheres.
     unit: Unit,
 }
 
@@ -55,7 +59,7 @@ impl<'a> RayActors<'a> {
         scene: &'a Scene<'a>,
         pose: &'a Pose<'a>,
         slots: &'a mut [RaySlot],
-        spheres: &'a mut [Sphere],
+        known: &'a mut [Known],
     ) -> Self {
         for slot in &mut *slots {
             slot.actor.number = u16::MAX;
@@ -64,12 +68,13 @@ impl<'a> RayActors<'a> {
             scene,
             pose,
             slots,
-            spheres: &mut [],
+            known: &mut [],
+            looked: 0,
             unit: Unit::of(0),
         };
         let first = 0..actors.count();
         let mut reach = 0;
-        for (number, _) in first.clone().zip(&*spheres) {
+        for (number, _) in first.clone().zip(&*known) {
             if let Some(actor) = actors.get(number) {
                 let radius = actor.radius.unsigned_abs();
                 for c in actor.centre {
@@ -79,19 +84,68 @@ impl<'a> RayActors<'a> {
         }
         let unit = Unit::of(reach);
         actors.unit = unit;
-        for (number, sphere) in first.zip(&mut *spheres) {
+        for (number, known) in first.zip(&mut *known) {
             if let Some(actor) = actors.get(number) {
-                *sphere = unit.sphere(actor.centre, actor.radius);
+                known.place(unit, actor.centre, actor.radius);
             }
         }
-        actors.spheres = spheres;
+        actors.known = known;
         actors
+    }
+
+    /// Looks from a viewport's camera where the first actors are seen.
+    #[inline(never)]
+    fn look_at_known(&mut self, viewport: u16, camera: &RayCamera) {
+        for number in 0..self.count().min(self.known.len() as u16) {
+            let bounds = self.bounds(number, viewport, camera);
+            if let Some(known) = self.known.get_mut(usize::from(number)) {
+                known.see(&bounds);
+            }
+        }
+        self.looked = viewport + 1;
+    }
+
+    /// Lists the actors that a viewport's camera may see in a tile; says how many that are, of
+    /// which the list holds the first.
+    pub(super) fn list(
+        &mut self,
+        listed: &mut [u16],
+        (viewport, camera): (u16, &RayCamera),
+        tile: &Rect,
+    ) -> usize {
+        if self.looked != viewport + 1 {
+            self.look_at_known(viewport, camera);
+        }
+        let mut count = 0;
+        for number in 0..self.count() {
+            let known = self.known.get(usize::from(number));
+            if known.is_some_and(|known| known.is_off(tile)) {
+                continue;
+            }
+            let bounds = self.bounds(number, viewport, camera);
+            let across = bounds.left < tile.right && bounds.right > tile.left;
+            let down = bounds.top < tile.bottom && bounds.bottom > tile.top;
+            if across && down {
+                if let Some(slot) = listed.get_mut(count) {
+                    *slot = number;
+                }
+                count += 1;
+            }
+        }
+        count
+    }
+
+    /// Whether a ray surely passes by an actor of which it is known where it is.
+    #[inline(never)]
+    pub(super) fn passes_by(&self, number: u16, ray: &Ray) -> bool {
+        let known = self.known.get(usize::from(number));
+        known.is_some_and(|known| self.unit.passes_by(ray, known.as_ref()))
     }
 
     /// The actors that a ray may meet that is as thick as `around`, raw world bits.
     #[inline(always)]
     pub(super) fn candidates(&self, ray: &Ray, around: u32) -> Candidates {
-        Candidates::of(ray, around, self.unit, self.spheres, self.count())
+        Candidates::of(ray, around, self.unit, self.known, self.count())
     }
 
     /// All actors.
@@ -112,6 +166,9 @@ impl<'a> RayActors<'a> {
         ray: &Ray,
         far: u32,
     ) -> Option<&RayActor> {
+        if untried && self.passes_by(number, ray) {
+            return None;
+        }
         let actor = self.get(number)?;
         let missed = untried && (actor.radius == 0 || actor.missed(ray, far));
         (!missed).then_some(actor)
@@ -128,7 +185,9 @@ impl<'a> RayActors<'a> {
         let which = if usize::from(number) < self.slots.len() {
             usize::from(number)
         } else {
-            usize::from(number).checked_rem(self.slots.len())?
+            // Aside, so that actors beside each other in rows seldom have the same slot.
+            let whole = usize::from(number).checked_div(self.slots.len())?;
+            (usize::from(number) + 5 * whole).checked_rem(self.slots.len())?
         };
         let slot = self.slots.get_mut(which)?;
         if slot.actor.number != number {

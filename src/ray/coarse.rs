@@ -71,6 +71,12 @@ impl Unit {
         }
     }
 
+    /// Whether a ray surely passes by a sphere.
+    pub(super) fn passes_by(self, ray: &Ray, sphere: &Sphere) -> bool {
+        let ray = self.ray(ray, 0);
+        ray.is_some_and(|ray| sphere.missed(&ray))
+    }
+
     /// A ray that is as thick as `around`; `None` if that is too much, or if it starts too
     /// far away.
     #[inline(always)]
@@ -96,14 +102,20 @@ impl Candidates {
     /// Of `count` actors, the first of which have spheres, those that a ray may meet that is
     /// as thick as `around`, raw world bits.
     #[inline(never)]
-    pub(super) fn of(ray: &Ray, around: u32, unit: Unit, spheres: &[Sphere], count: u16) -> Self {
+    pub(super) fn of(
+        ray: &Ray,
+        around: u32,
+        unit: Unit,
+        spheres: &[impl AsRef<Sphere>],
+        count: u16,
+    ) -> Self {
         let Some(ray) = unit.ray(ray, around) else {
             return Self::all(count);
         };
         let first = spheres.len().min(count.min(32).into());
         let (mut bits, mut bit) = (0, 1u32);
         for sphere in spheres.get(..first).unwrap_or_default() {
-            if !sphere.missed(&ray) {
+            if !sphere.as_ref().missed(&ray) {
                 bits |= bit;
             }
             bit <<= 1;

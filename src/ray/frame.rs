@@ -71,7 +71,7 @@ pub(super) fn draw_pass<D: Display, W: Watch>(
     work.shades.clear();
     let mut tracer = Tracer {
         scene,
-        actors: RayActors::new(scene, pose, work.slots, work.spheres),
+        actors: RayActors::new(scene, pose, work.slots, work.known),
         lights: work.lights,
         windows: work.windows,
         shades: work.shades,

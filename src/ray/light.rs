@@ -248,7 +248,10 @@ fn passes(
     (windows, parallel): (&mut Windows, Option<Parallel>),
 ) -> u32 {
     let mut through = 1u32 << 16;
-    while let Some((number, _)) = between.next() {
+    while let Some((number, untried)) = between.next() {
+        if untried && actors.passes_by(number, ray) {
+            continue;
+        }
         let Some(actor) = actors.get(number) else {
             continue;
         };

@@ -20,6 +20,7 @@ mod gather;
 mod grid_ray;
 mod hierarchy;
 mod holes;
+mod known;
 mod leaves;
 mod light;
 mod nearest;

@@ -1,20 +1,21 @@
 //! The ray caster's working memory.
 
 use super::actors::RaySlot;
-use super::coarse::Sphere;
 use super::gather::Gathered;
+use super::known::{KNOWN_A_SLOT, Known};
 use super::light::RayLights;
 use super::shades::Shades;
 use super::waiting::WaitingRays;
 use super::windows::Windows;
 
-/// Working memory of a fixed size; put it into a `static`. `ACTORS` whose places are kept
-/// for the frame, about 0.2 KB each, at least 1. If a scene has more, they are made again
-/// whenever they are needed: the picture is the same, but slow.
+/// Working memory of a fixed size; put it into a `static`. `ACTORS` whose places are kept,
+/// about 0.2 KB each, at least 1. If a scene has more, they are made again when they are needed:
+/// the picture is the same. Of six times as many it is kept for the frame where they are, so that
+/// few are needed; with more than that it is slow.
 #[derive(Debug)]
 pub struct RayScratch<const ACTORS: usize> {
     slots: [RaySlot; ACTORS],
-    spheres: [Sphere; ACTORS],
+    known: [[Known; KNOWN_A_SLOT]; ACTORS],
     listed: [u16; ACTORS],
     gathered: Gathered,
     windows: Windows,
@@ -31,7 +32,7 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
         let () = Self::SOME;
         Self {
             slots: [RaySlot::EMPTY; ACTORS],
-            spheres: [Sphere::NONE; ACTORS],
+            known: [[Known::NOTHING; KNOWN_A_SLOT]; ACTORS],
             listed: [0; ACTORS],
             gathered: Gathered::EMPTY,
             windows: Windows::EMPTY,
@@ -45,7 +46,7 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
     pub fn workspace(&mut self) -> RayWorkspace<'_> {
         RayWorkspace {
             slots: &mut self.slots,
-            spheres: &mut self.spheres,
+            known: self.known.as_flattened_mut(),
             listed: &mut self.listed,
             gathered: &mut self.gathered,
             windows: &mut self.windows,
@@ -66,8 +67,8 @@ impl<const ACTORS: usize> Default for RayScratch<ACTORS> {
 #[derive(Debug)]
 pub struct RayWorkspace<'a> {
     pub(super) slots: &'a mut [RaySlot],
-    /// About the actors in the slots.
-    pub(super) spheres: &'a mut [Sphere],
+    /// Where the first actors are.
+    pub(super) known: &'a mut [Known],
     /// Actors that a tile's rays may meet.
     pub(super) listed: &'a mut [u16],
     /// Triangles that they may meet.

@@ -83,20 +83,8 @@ impl<W: Watch> Drawing<'_, '_, '_, W> {
 
     /// Lists the actors that may be seen in a tile; says how many.
     pub(super) fn list(&mut self, camera: &RayCamera, tile: &Rect) -> usize {
-        let number = self.viewport.number;
-        let mut count = 0;
-        for actor in 0..self.tracer.actors.count() {
-            let bounds = self.tracer.actors.bounds(actor, number, camera);
-            let across = bounds.left < tile.right && bounds.right > tile.left;
-            let down = bounds.top < tile.bottom && bounds.bottom > tile.top;
-            if across && down {
-                if let Some(slot) = self.listed.get_mut(count) {
-                    *slot = actor;
-                }
-                count += 1;
-            }
-        }
-        count
+        let view = (self.viewport.number, camera);
+        self.tracer.actors.list(self.listed, view, tile)
     }
 
     fn tile(&mut self, camera: &RayCamera, target: &mut Target<'_>, tile: &Rect) {
