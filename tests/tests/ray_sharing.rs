@@ -127,6 +127,8 @@ fn rays_that_share_are_rays_by_themselves() {
             ("in bands of a row", draw::<64>(&core, 1, None)),
             ("in bands of 7", draw::<64>(&core, 7, None)),
             ("ray by ray", draw::<1>(&core, core.frame_height(), None)),
+            // Slots are shared, and where all are is known.
+            ("with three slots", draw::<3>(&core, 16, None)),
         ] {
             assert!(shared.0 == other.0, "scene {seed} {how}");
         }
