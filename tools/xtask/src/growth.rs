@@ -29,6 +29,8 @@ const SIZES: [[u32; 2]; 7] = [
     [480, 320],
 ];
 const ACTORS: [usize; 8] = [1, 2, 5, 10, 20, 50, 100, 200];
+/// The same by rays: as many as the measuring firmware knows the places of, and fewer.
+const RAY_ACTORS: [usize; 6] = [1, 2, 5, 10, 20, 50];
 const LIGHTS: [usize; 5] = [1, 2, 3, 5, 8];
 
 /// What grows.
@@ -38,6 +40,8 @@ pub enum Kind {
     Pixels,
     /// The number of cubes that share the picture.
     Actors,
+    /// The same by rays, with shadows.
+    RayActors,
     /// The number of grey lights from infinitely far.
     Lights,
     /// The number of coloured lights that have a place.
@@ -45,13 +49,20 @@ pub enum Kind {
 }
 
 impl Kind {
-    const ALL: [Self; 4] = [Self::Pixels, Self::Actors, Self::Lights, Self::PlacedLights];
+    const ALL: [Self; 5] = [
+        Self::Pixels,
+        Self::Actors,
+        Self::RayActors,
+        Self::Lights,
+        Self::PlacedLights,
+    ];
 
     /// In JSON.
     fn name(self) -> &'static str {
         match self {
             Self::Pixels => "pixels",
             Self::Actors => "actors",
+            Self::RayActors => "ray_actors",
             Self::Lights => "lights",
             Self::PlacedLights => "placed_lights",
         }
@@ -63,6 +74,7 @@ impl Kind {
             Self::Actors => {
                 "Cubes in flat shading that share a picture of 320x240, smaller the more there are"
             }
+            Self::RayActors => "The same by rays, with shadows",
             Self::Lights => "The teapot against grey lights from infinitely far",
             Self::PlacedLights => "The teapot against coloured lights that have a place",
         }
@@ -88,7 +100,11 @@ impl Grown {
 
     /// Bakes it into a file.
     pub fn bake(&self) -> Result<(fixel_bake::Baked, scene::Baked)> {
-        let blob = fixel_bake::bake(&self.scene).map_err(|error| error.to_string())?;
+        let blob = match self.kind {
+            Kind::RayActors => fixel_bake::bake_for_rays(&self.scene),
+            _ => fixel_bake::bake(&self.scene),
+        };
+        let blob = blob.map_err(|error| error.to_string())?;
         let baked = scene::Baked::keep("scenes", &format!("grown_{}", self.name()), &blob)?;
         Ok((blob, baked))
     }
@@ -106,6 +122,9 @@ pub fn scenes() -> Result<Vec<Grown>> {
     }
     for count in ACTORS {
         all.push((Kind::Actors, count, cubes(&teapot, &cube, count)));
+    }
+    for count in RAY_ACTORS {
+        all.push((Kind::RayActors, count, cubes(&teapot, &cube, count)));
     }
     for count in LIGHTS {
         let mut scene = teapot.clone();
@@ -264,11 +283,14 @@ mod tests {
     #[test]
     fn scenes_grow() {
         let scenes = scenes().unwrap_or_default();
-        assert_eq!(scenes.len(), SIZES.len() + ACTORS.len() + 2 * LIGHTS.len());
+        let amounts = SIZES.len() + ACTORS.len() + RAY_ACTORS.len() + 2 * LIGHTS.len();
+        assert_eq!(scenes.len(), amounts);
         for grown in scenes {
             match grown.kind {
                 Kind::Pixels => {}
-                Kind::Actors => assert_eq!(grown.scene.actors.len(), grown.amount),
+                Kind::Actors | Kind::RayActors => {
+                    assert_eq!(grown.scene.actors.len(), grown.amount);
+                }
                 Kind::Lights | Kind::PlacedLights => {
                     assert_eq!(grown.scene.lights.len(), grown.amount);
                 }

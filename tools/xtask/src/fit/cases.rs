@@ -69,7 +69,8 @@ pub fn all(tally: &mut Tally) -> Result<Vec<Case>> {
             }
         }
     }
-    for grown in growth::scenes()? {
+    let by_triangles = |grown: &growth::Grown| grown.kind != growth::Kind::RayActors;
+    for grown in growth::scenes()?.into_iter().filter(by_triangles) {
         let name = grown.name();
         if let Some(baked) = tally.need(&name, grown.bake()) {
             add(&mut all, (&name, AS_IT_IS), baked)?;
