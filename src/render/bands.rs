@@ -4,13 +4,14 @@ use core::ops::Range;
 
 use super::actors::Actors;
 use super::draw::{Place, draw_meshlet};
+use super::entry::Entry;
 use super::lines::Pass;
 use super::meshlet_cache::MeshletCache;
 use super::paint::{Paint, Shaded};
 use super::scratch::Workspace;
 use super::stats::FrameStats;
 use super::viewports::Viewports;
-use super::visible_list::{self, Entry};
+use super::visible_list;
 use crate::frame::{Band, BandRows, Target};
 use crate::scene::{Pose, Scene};
 
@@ -118,7 +119,7 @@ impl<'a, 'b, P: Paint> Bands<'a, 'b, P> {
         }
         let top = self.rows.start;
         let rows = top..top.saturating_add(self.band.rows()).min(self.rows.end);
-        let to_come = rows.start..self.rows.end;
+        let end = self.rows.end;
         self.rows.start = rows.end;
         let (paint, scene, actors) = (&self.paint, self.scene, &mut self.actors);
         let (cache, stats) = (&mut self.cache, &mut self.stats);
@@ -134,7 +135,7 @@ impl<'a, 'b, P: Paint> Bands<'a, 'b, P> {
             //    takes.
             if self.complete_to < rows.end {
                 stats.list_refills += u32::from(stats.bands > 1 || after.is_some());
-                let wanted = (&to_come, rows.end);
+                let wanted = (&rows, end);
                 let list = visible_list::fill(self.entries, after, scene, actors, wanted, stats);
                 (after, self.complete_to, self.listed) = (list.last, list.complete_to, list.count);
             }

@@ -2,6 +2,7 @@
 
 use core::ops::Range;
 
+use super::entry::Entry;
 use super::facing::leave_out_backs;
 use super::lines::{self, Pass, draw_hidden, draw_look};
 use super::meshlet_cache::{Held, MeshletCache};
@@ -9,7 +10,6 @@ use super::paint::{Ids, Paint};
 use super::stats::FrameStats;
 use super::surface::draw_surface_meshlet;
 use super::triangles::{Done, Draw, Triangle, triangles};
-use super::visible_list::Entry;
 use crate::fog::Haze;
 use crate::frame::{Stored, Target};
 use crate::math::{HALF_PX, Rect, SUBPX_BITS, SubPx};

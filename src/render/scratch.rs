@@ -1,8 +1,8 @@
 //! The renderer's working memory: its size is the application's choice.
 
 use super::actors::ActorSlot;
+use super::entry::Entry;
 use super::meshlet_cache::{EMPTY_KEPT, EMPTY_ROOM, SlotKept, SlotRoom};
-use super::visible_list::Entry;
 
 /// Working memory of a fixed size; put it into a `static`. None of the sizes
 /// changes the picture, only the speed:
