@@ -3,7 +3,7 @@
 /// The square root, rounded down: that of the upper half, and as many bits again by one
 /// division (Zimmermann, "Karatsuba Square Root", 1999).
 #[inline(never)]
-pub(crate) fn square_root(of: u64) -> u64 {
+pub(crate) fn square_root(of: u64) -> u32 {
     // By an even number of places, so that one of the two highest bits is set.
     let up = of.leading_zeros() & !1;
     let raised = of.wrapping_shl(up);
@@ -20,7 +20,7 @@ pub(crate) fn square_root(of: u64) -> u64 {
     // At most 2^16.
     let squared = u64::from(quotient) * u64::from(quotient);
     let found = (u64::from(root) << 16) + u64::from(quotient);
-    (found - u64::from(below < squared)) >> (up / 2)
+    ((found - u64::from(below < squared)) >> (up / 2)) as u32
 }
 
 /// [`square_root`] in 32 bits: by bits on cores without a divide, else by Newton's method.
@@ -75,7 +75,7 @@ mod tests {
     #[test]
     fn ends_and_squares() {
         for of in [0, 1, 2, 3, 4, u32::MAX.into(), u64::MAX, u64::MAX - 1] {
-            assert_eq!(square_root(of), of.isqrt(), "{of}");
+            assert_eq!(u64::from(square_root(of)), of.isqrt(), "{of}");
             let of = of as u32;
             assert_eq!([by_bits(of), by_quotients(of)], [of.isqrt(); 2], "{of}");
         }
@@ -85,7 +85,7 @@ mod tests {
         }
         for root in [1u64, 2, 255, 65_535, 65_536, 0xffff_ffff] {
             for of in [root * root - 1, root * root] {
-                assert_eq!(square_root(of), of.isqrt(), "{of}");
+                assert_eq!(u64::from(square_root(of)), of.isqrt(), "{of}");
             }
         }
     }
@@ -94,7 +94,7 @@ mod tests {
         #[test]
         fn as_the_language_has_them(of in any::<u64>(), down in 0u32..64) {
             let of = of >> down;
-            prop_assert_eq!(square_root(of), of.isqrt());
+            prop_assert_eq!(u64::from(square_root(of)), of.isqrt());
             let of = of as u32;
             prop_assert_eq!(by_bits(of), of.isqrt());
             prop_assert_eq!(by_quotients(of), of.isqrt());

@@ -88,7 +88,7 @@ pub fn normalise(v: [i64; 3]) -> Option<Unit3> {
         squared += (*c * *c) as u64;
         keep_rolled();
     }
-    let length = square_root(squared).max(1) as i64;
+    let length = i64::from(square_root(squared).max(1));
     for c in rolled(&mut unit) {
         *c = ((*c << 30) / length).clamp(-(1 << 30), 1 << 30);
         keep_rolled();

@@ -184,7 +184,7 @@ impl Scene<'_> {
                 if squared > square(radius) {
                     let vertex = j.wrapping_add(meshlet.first_vertex as usize);
                     // Rounded up, so beyond the radius.
-                    let distance = square_root(squared as u64).wrapping_add(1) as i64;
+                    let distance = i64::from(square_root(squared as u64)).wrapping_add(1);
                     range(
                         Section::Vertices,
                         vertex,

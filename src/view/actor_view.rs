@@ -267,7 +267,7 @@ fn side_lengths(frame: &ViewFrame, [x, y, d]: [i32; 3], middle: [i32; 2]) -> [i3
         let lean = sheared(frame, d.into()).unsigned_abs();
         let along = along.unsigned_abs().saturating_add(lean).min(1 << 31);
         let length = u64::from(length.unsigned_abs());
-        (square_root(length * length + along * along) + 1).min(i32::MAX as u64) as i32
+        rounded_up(square_root(length * length + along * along))
     };
     let mut sides = [[x, middle_x], [y, middle_y]];
     for [own, half] in rolled(&mut sides) {
@@ -312,7 +312,12 @@ pub(super) fn row_length([a, b, c]: [i32; 3]) -> i32 {
     let squared = [a, b, c].iter().fold(0u64, |sum, v| {
         sum + u64::from(v.unsigned_abs()) * u64::from(v.unsigned_abs())
     });
-    (square_root(squared) + 1).min(i32::MAX as u64) as i32
+    rounded_up(square_root(squared))
+}
+
+/// More than a root of which this is the part before the point.
+fn rounded_up(root: u32) -> i32 {
+    root.min(i32::MAX as u32 - 1) as i32 + 1
 }
 
 #[inline(never)]

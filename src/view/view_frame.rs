@@ -65,7 +65,7 @@ impl ViewFrame {
         // A quarter of the distance has 31 bits, a sum of its squares 64.
         let sight = camera.focal_point.minus(camera.position);
         let squared = sight.map(|c| ((c >> 2) * (c >> 2)).unsigned_abs());
-        let distance = (square_root(squared.iter().sum()) << 2) as i64;
+        let distance = i64::from(square_root(squared.iter().sum())) << 2;
         let aside = (distance * i64::from(shear)) >> 30;
         let [right, ..] = self.rotation.rows;
         let [x, y, z] = camera.position.to_bits().map(i64::from);
