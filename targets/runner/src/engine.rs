@@ -59,7 +59,7 @@ pub const ACTORS: usize = if cfg!(any(feature = "small", feature = "compact")) {
     4
 };
 /// Actors whose places the ray caster keeps.
-pub const RAY_ACTORS: usize = 12;
+pub const RAY_ACTORS: usize = 11;
 
 /// The renderers' working memory.
 #[derive(Debug)]
