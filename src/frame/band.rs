@@ -131,7 +131,7 @@ pub struct Target<'a, C = u8> {
 impl<'a, C: Stored> Target<'a, C> {
     /// The part of these rows within `rect`, as a screen of that size: pixel
     /// (0, 0) is the rectangle's top left one.
-    #[inline(never)]
+    #[inline(never)] // once a meshlet, in three places
     pub fn part(&mut self, rect: &Rect) -> Target<'_, C> {
         let right = rect.right.min(self.width);
         let left = rect.left.min(right);

@@ -61,7 +61,7 @@ impl Rotation {
     }
 
     /// About y, then x, then z: VTK's order for an actor's orientation.
-    #[inline(never)]
+    #[inline(never)] // once an actor: small code
     pub fn from_orientation([x, y, z]: [Angle; 3]) -> Self {
         Self::about_y(y)
             .then(&Self::about_x(x))

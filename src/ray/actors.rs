@@ -96,11 +96,12 @@ impl<'a> RayActors<'a> {
     /// Looks from a viewport's camera where the first actors are seen.
     #[inline(never)]
     fn look_at_known(&mut self, viewport: u16, camera: &RayCamera) {
-        for number in 0..self.count().min(self.known.len() as u16) {
+        for number in 0..self.count() {
             let bounds = self.bounds(number, viewport, camera);
-            if let Some(known) = self.known.get_mut(usize::from(number)) {
-                known.see(&bounds);
-            }
+            let Some(known) = self.known.get_mut(usize::from(number)) else {
+                break;
+            };
+            known.see(&bounds);
         }
         self.looked = viewport + 1;
     }
@@ -185,9 +186,11 @@ impl<'a> RayActors<'a> {
         let which = if usize::from(number) < self.slots.len() {
             usize::from(number)
         } else {
-            // Aside, so that actors beside each other in rows seldom have the same slot.
-            let whole = usize::from(number).checked_div(self.slots.len())?;
-            (usize::from(number) + 5 * whole).checked_rem(self.slots.len())?
+            // Aside by about a half each time, so that actors beside each other in rows seldom
+            // have the same slot.
+            let (number, slots) = (usize::from(number), self.slots.len());
+            let rounds = number.checked_div(slots)?;
+            (number + (slots / 2 | 1) * rounds).checked_rem(slots)?
         };
         let slot = self.slots.get_mut(which)?;
         if slot.actor.number != number {

@@ -25,8 +25,8 @@ pub(super) struct Unit {
     shift: u32,
 }
 
-/// The actors that a ray may meet, in their order: a bit each of those that have a
-/// sphere, and all others.
+/// The actors that a ray may meet, in their order: a bit each of the first 32, if they have
+/// spheres, and all others.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Candidates {
     bits: u32,

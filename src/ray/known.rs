@@ -6,8 +6,11 @@ use crate::math::Rect;
 /// How many actors are known for each that a scratch has a slot for.
 pub(super) const KNOWN_A_SLOT: usize = 6;
 
-/// Pixels of a side of the cells in which actors are seen: 256 are the widest frame.
+/// Pixels of a side of the cells in which actors are seen.
 const CELL: u16 = 8;
+
+// The widest and highest frame: a cell's number is a byte.
+const _: () = assert!(CELL << 8 == 2048);
 
 /// Where an actor is.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +22,8 @@ pub struct Known {
 }
 
 impl Known {
-    pub(super) const NOTHING: Self = Self {
+    /// All zero, so that working memory starts as zeros: a frame begins by filling it.
+    pub(super) const EMPTY: Self = Self {
         sphere: Sphere::NONE,
         columns: [0; 2],
         rows: [0; 2],
@@ -63,7 +67,7 @@ mod tests {
     use super::*;
 
     fn known(left: u16, right: u16) -> Known {
-        let mut known = Known::NOTHING;
+        let mut known = Known::EMPTY;
         known.see(&Rect {
             left,
             right,

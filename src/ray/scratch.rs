@@ -32,7 +32,7 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
         let () = Self::SOME;
         Self {
             slots: [RaySlot::EMPTY; ACTORS],
-            known: [[Known::NOTHING; KNOWN_A_SLOT]; ACTORS],
+            known: [[Known::EMPTY; KNOWN_A_SLOT]; ACTORS],
             listed: [0; ACTORS],
             gathered: Gathered::EMPTY,
             windows: Windows::EMPTY,

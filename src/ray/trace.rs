@@ -148,6 +148,7 @@ impl Tracer<'_> {
         for which in 0..listed.map_or(self.actors.count(), |listed| listed.len() as u16) {
             let number = match listed {
                 Some(listed) => listed.get(usize::from(which)).copied().unwrap_or(0),
+                None if self.actors.passes_by(which, ray) => continue,
                 None => which,
             };
             let Some((actor, from)) = self.actors.seen(number, viewport, camera) else {

@@ -8,7 +8,7 @@ use super::meshlet_cache::{EMPTY_KEPT, EMPTY_ROOM, SlotKept, SlotRoom};
 /// changes the picture, only the speed:
 ///
 /// * `MESHLETS` that are listed at once, 12 bytes each. If a frame has more
-///   that are visible, each band makes its own list.
+///   that are visible, the list is made again where it ends, after some bands.
 /// * `SLOTS` of transformed meshlets that are kept from band to band, 1.1 KB
 ///   each, at least 1. A meshlet that reaches into the next band and finds no
 ///   room is transformed again there. In scenes whose vertices have levels of light

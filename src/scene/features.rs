@@ -5,40 +5,45 @@
 
 use super::{Field, Material, Record, Scene, SceneError, Shading, Transparency, layout};
 
-/// Their names, in the order of the bits of [`Header::features`](super::Header::features), and
-/// whether this program has them.
-const FEATURES: [(&str, bool); layout::FEATURES] = [
-    ("lod", cfg!(feature = "lod")),
-    ("texture", cfg!(feature = "texture")),
-    ("lines", cfg!(feature = "lines")),
-    ("viewports", cfg!(feature = "viewports")),
-    ("animation", cfg!(feature = "animation")),
-    ("fog", cfg!(feature = "fog")),
-    ("light", cfg!(feature = "light")),
-    ("gouraud", cfg!(feature = "gouraud")),
-    ("transparency", cfg!(feature = "transparency")),
-];
+/// A feature in each line, with what of a scene uses it, in the order of the bits of
+/// [`Header::features`](super::Header::features): a macro, so that firmware links the names
+/// without the uses.
+macro_rules! features {
+    ($($name:literal: $used:expr,)*) => {
+        /// Their names, and whether this program has them.
+        const FEATURES: [(&str, bool); layout::FEATURES] =
+            [$(($name, cfg!(feature = $name))),*];
+
+        /// Which of them a scene uses.
+        fn used(scene: &Scene<'_>) -> [bool; layout::FEATURES] {
+            let uses: [fn(&Scene<'_>) -> bool; layout::FEATURES] = [$($used),*];
+            uses.map(|uses| uses(scene))
+        }
+    };
+}
+
+features! {
+    "lod": |scene| scene.header.level_error != 0,
+    "texture": |scene| !scene.textures.is_empty(),
+    "lines": |scene| !scene.looks.is_empty(),
+    "viewports": |scene| !(scene.viewports.is_empty() && scene.output.is_empty()),
+    "animation": |scene| !scene.tracks.is_empty(),
+    "fog": |scene| !scene.fog.is_empty(),
+    "light": |scene| any_material(scene, |m| m.full || m.coloured),
+    "gouraud": |scene| any_material(scene, |m| m.shading != Shading::Flat),
+    "transparency": |scene| any_material(scene, |m| m.transparency != Transparency::Opaque),
+}
+
+fn any_material(scene: &Scene<'_>, is: fn(&Material) -> bool) -> bool {
+    let mut materials = scene.materials.iter().map(Material::from_words);
+    materials.any(|material| is(&material))
+}
 
 impl Scene<'_> {
     /// The features that the scene uses, as far as this program reads it: what only a feature
     /// reads is not looked for without it. See [`Header::features`](super::Header::features).
     pub fn features_used(&self) -> u16 {
-        let any = |used: fn(&Material) -> bool| {
-            let mut materials = self.materials.iter().map(Material::from_words);
-            materials.any(|material| used(&material))
-        };
-        let used: [bool; layout::FEATURES] = [
-            self.header.level_error != 0,
-            !self.textures.is_empty(),
-            !self.looks.is_empty(),
-            !(self.viewports.is_empty() && self.output.is_empty()),
-            !self.tracks.is_empty(),
-            !self.fog.is_empty(),
-            any(|m| m.full || m.coloured),
-            any(|m| m.shading != Shading::Flat),
-            any(|m| m.transparency != Transparency::Opaque),
-        ];
-        let bits = used.into_iter().rev();
+        let bits = used(self).into_iter().rev();
         bits.fold(0, |bits, used| bits << 1 | u16::from(used))
     }
 

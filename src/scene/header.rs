@@ -45,7 +45,9 @@ pub struct Header {
     /// Most that a level of a mesh may be seen off the mesh, raw sub-pixels of the frame; see
     /// [`Mesh::levels`](super::Mesh::levels).
     pub level_error: u16,
-    /// Cargo features of this crate that the scene needs, a bit for each.
+    /// Cargo features of this crate that the scene needs: `lod` in the lowest bit, then
+    /// `texture`, `lines`, `viewports`, `animation`, `fog`, `light`, `gouraud`, `transparency`.
+    /// What is baked for rays can be drawn without them.
     pub features: u16,
     /// The scene's camera.
     pub camera: CameraRecord,

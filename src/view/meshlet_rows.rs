@@ -15,7 +15,7 @@ pub struct MeshletRows {
 
 impl MeshletRows {
     /// For the vertices of `meshlet`.
-    #[inline(never)]
+    #[inline(never)] // once a meshlet, in two places
     pub fn new(view: &ActorView, meshlet: &Meshlet) -> Self {
         // Vertices of a fine mesh come in grid steps.
         let fine = view.mesh.fine.is_some();

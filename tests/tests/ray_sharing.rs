@@ -8,7 +8,7 @@ use fixel::frame::BandRows;
 use fixel::palette::Palette;
 use fixel::ray::{KeptPixel, RayScratch, RayStats, render_frame, render_progressively};
 use fixel::{Band, Scene};
-use fixel_scene::{Cull, Material, Projection, Shading};
+use fixel_scene::{Aspect, Cull, Material, Projection, Shading, Viewport};
 use fixel_tests::made::{Random, add, ball, empty, far_light, lamp, mesh, rectangle};
 use fixel_tests::{load_for_rays, root};
 
@@ -132,6 +132,58 @@ fn rays_that_share_are_rays_by_themselves() {
         ] {
             assert!(shared.0 == other.0, "scene {seed} {how}");
         }
+    }
+}
+
+/// More actors than there are slots, more than have a bit each, and more than are known: a
+/// mirror and a lamp, from two cameras.
+#[test]
+fn actors_without_slots_are_met() {
+    let mut scene = empty();
+    scene.materials = vec![
+        Material {
+            shading: Shading::Flat,
+            ..Material::default()
+        },
+        Material {
+            name: "mirror".into(),
+            reflectivity: 0.8,
+            ..Material::default()
+        },
+    ];
+    let mirror = add(&mut scene, rectangle(12.0, 12.0), [0.0, 0.0, -1.5]);
+    (mirror.material, mirror.orientation) = (1, [90.0, 0.0, 0.0]);
+    for number in 0..45 {
+        let (column, row) = (f64::from(number % 9), f64::from(number / 9));
+        let actor = add(&mut scene, mesh("cube"), [column - 4.0, row - 2.0, 0.0]);
+        actor.scale = [0.3; 3];
+        actor.orientation = [f64::from(number) * 7.0, 30.0, 0.0];
+    }
+    scene.camera.position = [1.0, 2.0, 11.0];
+    scene.camera.focal_point = [0.0; 3];
+    scene.camera.clipping_range = [0.5, 60.0];
+    scene.lights = vec![far_light([0.4, -0.6, -1.0]), lamp([-3.0, 4.0, 5.0])];
+    (scene.display.width, scene.display.height) = (96, 72);
+    let mut beside = scene.camera;
+    beside.position = [-6.0, 1.0, 9.0];
+    let half = |left: f64, camera| Viewport {
+        rectangle: [left, 0.0, 0.5, 1.0],
+        camera,
+        background: None,
+        aspect: Aspect::Keep,
+    };
+    scene.viewports = vec![half(0.0, None), half(0.5, Some(beside))];
+    let baked = fixel_bake::bake_for_rays(&scene).unwrap_or_else(|e| panic!("{e}"));
+    let core = baked.scene().expect("baked a moment ago");
+    let (all, _) = draw::<64>(&core, core.frame_height(), None);
+    let seen = all.0[0].1.iter().filter(|depth| **depth != 0).count();
+    assert!(seen > 2000, "{seen} pixels show something");
+    for (how, (other, _)) in [
+        ("with 7 slots, 42 known", draw::<7>(&core, 8, None)),
+        ("with 8 slots, all known", draw::<8>(&core, 11, None)),
+        ("with a slot, 6 known", draw::<1>(&core, 72, None)),
+    ] {
+        assert!(all.0 == other.0, "{how}");
     }
 }
 

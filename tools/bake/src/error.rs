@@ -48,11 +48,9 @@ impl From<Problem> for BakeError {
     }
 }
 
-/// What the core refuses of a blob.
 impl From<SceneError> for BakeError {
     fn from(error: SceneError) -> Self {
-        let what = error.to_string();
-        Problem::NotYet { what }.into()
+        Problem::Refused(error).into()
     }
 }
 
@@ -79,6 +77,8 @@ pub enum Problem {
         /// What, and where.
         what: String,
     },
+    /// A blob that the core refuses.
+    Refused(SceneError),
     /// An actor that turns within a space that is not even.
     Turns {
         /// Its name.
@@ -113,6 +113,7 @@ impl fmt::Display for Problem {
                 write!(f, "{found} {what}; expected at most {most}")
             }
             Self::NotYet { what } => write!(f, "{what} is not supported yet"),
+            Self::Refused(error) => write!(f, "what was baked cannot be drawn: {error}"),
             Self::Turns { actor } => write!(
                 f,
                 "actor `{actor}` turns (by key frames or the turntable) inside its own matrix \

@@ -18,7 +18,7 @@ struct Fuzzer {
     name: &'static str,
     /// Longest input in bytes.
     longest: u32,
-    /// Executions in continuous integration: 10 to 60 seconds of them on two processors.
+    /// Executions in continuous integration: 10 to 70 seconds of them on two processors that have more to do.
     executions: u32,
 }
 

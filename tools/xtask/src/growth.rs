@@ -29,7 +29,7 @@ const SIZES: [[u32; 2]; 7] = [
     [480, 320],
 ];
 const ACTORS: [usize; 8] = [1, 2, 5, 10, 20, 50, 100, 200];
-/// The same by rays: as many as the measuring firmware knows the places of, and fewer.
+/// The same by rays: no more than the measuring firmware knows the places of.
 const RAY_ACTORS: [usize; 6] = [1, 2, 5, 10, 20, 50];
 const LIGHTS: [usize; 5] = [1, 2, 3, 5, 8];
 
