@@ -89,10 +89,12 @@ proptest! {
         let check = |what: &str, got: f64, normal: V| {
             let (exact, sum) = exact(normal);
             let want = exact.min(255.0);
-            // A light's steps in x, y and z and the sum's, each 1/64 cut off: of a
-            // normal of length 1 the three are sqrt(3) at most. One over a normal's
-            // length is good to 2^-12.
-            let most = (1.0 + 3f64.sqrt() * lights.len() as f64) / 64.0 + sum.min(255.0) / 4096.0;
+            // Of each light, in 64ths: what is cut off its x, y and z, with a normal of length
+            // 1 sqrt(3) at most; off their product, a unit of which is 32 over the length of an
+            // octahedral normal, which is 127 / sqrt(3) at least (of a face's: 1/4); and off the
+            // level. One over a normal's length is good to 2^-12.
+            let cut = 3f64.sqrt() + 32.0 * 3f64.sqrt() / 127.0 + 1.0;
+            let most = cut * lights.len() as f64 / 64.0 + sum.min(255.0) / 4096.0;
             prop_assert!((got - want).abs() <= most, "{}: {} instead of {}, {} allowed", what, got, want, most);
             Ok(())
         };
