@@ -190,7 +190,7 @@ impl<'a> RayActors<'a> {
             // have the same slot.
             let (number, slots) = (usize::from(number), self.slots.len());
             let rounds = number.checked_div(slots)?;
-            (number + (slots / 2 | 1) * rounds).checked_rem(slots)?
+            (number + ((slots / 2) | 1) * rounds).checked_rem(slots)?
         };
         let slot = self.slots.get_mut(which)?;
         if slot.actor.number != number {

@@ -38,7 +38,7 @@ struct Picture {
 pub fn run(args: &args::Animate) -> Result<()> {
     let kind = kind(&args.output)?;
     let name = || args.input.scene.display().to_string();
-    let input = input::load(&args.input)?;
+    let input = input::load(&args.input, &[Some(&args.output)])?;
     let Some(frames) = args.frames.or(input.scene.animation.length()) else {
         bail!(
             "{}: nothing moves; expected [animation] with frames, a turntable or a \

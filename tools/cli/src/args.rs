@@ -5,7 +5,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use fixel_estimate::Board;
 use fixel_scene::{Panel, PanelDithering};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// Fixed-point 3D for displays on microcontrollers: render, compare and bake
@@ -322,6 +322,16 @@ pub enum Destination {
     Stdout,
     /// A file.
     File(PathBuf),
+}
+
+impl Destination {
+    /// The file, if it is one.
+    pub fn file(&self) -> Option<&Path> {
+        match self {
+            Self::Stdout => None,
+            Self::File(path) => Some(path),
+        }
+    }
 }
 
 impl FromStr for Destination {

@@ -11,7 +11,9 @@ pub fn run(args: &args::Bake) -> Result<()> {
         max_triangles: args.max_triangles,
         colours: args.colours,
     };
-    let (baked, reduced) = input::load_on(&args.input, args.screen.get())?.bake_with(&options)?;
+    let outputs = [Some(args.output.as_path())];
+    let input = input::load_on(&args.input, args.screen.get(), &outputs)?;
+    let (baked, reduced) = input.bake_with(&options)?;
     for mesh in reduced {
         eprintln!("{mesh}");
     }

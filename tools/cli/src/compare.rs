@@ -26,7 +26,8 @@ pub fn run(args: &args::Compare) -> Result<()> {
         Tested::Raster => "raster",
         Tested::Ray => "ray",
     };
-    let input = input::load(&args.input)?;
+    let json = args.json.as_ref().and_then(Destination::file);
+    let input = input::load(&args.input, &[json])?;
     let at = input::options(&input.scene, &args.frame);
     let options = raster::Options {
         rays: args.renderer == Tested::Ray,

@@ -8,7 +8,8 @@ use serde_json::{Value, json};
 /// Says what a scene takes on a board.
 pub fn run(args: &args::Estimate) -> Result<()> {
     let board = args.board;
-    let input = input::load_on(&args.input, args.screen.get())?;
+    let json = args.json.as_ref().and_then(args::Destination::file);
+    let input = input::load_on(&args.input, args.screen.get(), &[json])?;
     let by_rays = input.refused(
         "is baked for rays, whose instructions are not estimated; expected one for triangles",
     );
@@ -28,7 +29,7 @@ pub fn run(args: &args::Estimate) -> Result<()> {
     if let Some(destination) = &args.json {
         return output::json(destination, &figures(board, &estimate));
     }
-    output::stdout(&text(board, &estimate))
+    output::stdout(&text(board, &estimate, (scene.width(), scene.height())))
 }
 
 fn figures(board: &Board, e: &Estimate) -> Value {
@@ -52,7 +53,7 @@ fn figures(board: &Board, e: &Estimate) -> Value {
     })
 }
 
-fn text(board: &Board, e: &Estimate) -> String {
+fn text(board: &Board, e: &Estimate, size: (u16, u16)) -> String {
     let of = |taken: u64, there: u64| {
         let fits = if taken > there { ", too many" } else { "" };
         format!("{taken} bytes of {there}{fits}")
@@ -74,6 +75,7 @@ fn text(board: &Board, e: &Estimate) -> String {
     };
     format!(
         "board: {}, {}\n\
+         picture: {}x{}\n\
          flash: {}: code {} ({}), scene {}\n\
          RAM: {}: band of {} rows {}, on the bus {}, working memory {}, stack {}\n\
          instructions a frame: {:.2} million\n\
@@ -82,6 +84,8 @@ fn text(board: &Board, e: &Estimate) -> String {
          frames a second: {:.1}{refresh}\n",
         board.name,
         board.what,
+        size.0,
+        size.1,
         of(e.flash_bytes(), board.flash_bytes),
         e.code_bytes,
         e.parts.what(),

@@ -2,24 +2,55 @@
 
 use crate::args::{self, Frame};
 use anyhow::{Result, anyhow};
-use fixel_scene::{Fenced, Scene, Screen};
+use fixel_scene::{Fenced, Files, Scene, Screen};
+use std::path::{Path, PathBuf};
 
 pub use fixel_bake::Input;
 
+/// The files that a command may read: none that it will write.
+#[derive(Debug)]
+struct Inputs {
+    files: Fenced,
+    /// Those outputs that are there already.
+    outputs: Vec<PathBuf>,
+}
+
+impl Files for Inputs {
+    fn read(&self, path: &Path) -> Result<Vec<u8>, String> {
+        if let Ok(real) = path.canonicalize()
+            && self.outputs.contains(&real)
+        {
+            return Err("is what the output would replace; expected another name for it".into());
+        }
+        self.files.read(path)
+    }
+}
+
 /// Loads a scene, a mesh or a baked scene; what the loader has to say goes to
-/// standard error.
-pub fn load(file: &args::Input) -> Result<Input> {
-    load_on(file, None)
+/// standard error. What is read is none of the outputs.
+pub fn load(file: &args::Input, outputs: &[Option<&Path>]) -> Result<Input> {
+    load_on(file, None, outputs)
 }
 
 /// The same for a panel, if there is one.
-pub fn load_on(file: &args::Input, screen: Option<Screen>) -> Result<Input> {
+pub fn load_on(
+    file: &args::Input,
+    screen: Option<Screen>,
+    outputs: &[Option<&Path>],
+) -> Result<Input> {
     let always = std::env::var_os("FIXEL_ALLOW").unwrap_or_default();
     let mut allowed: Vec<_> = std::env::split_paths(&always).collect();
     // What an empty variable splits into.
     allowed.retain(|folder| !folder.as_os_str().is_empty());
     allowed.extend_from_slice(&file.allow);
     let files = Fenced::around(&file.scene, &allowed).map_err(|error| anyhow!(error))?;
+    let outputs = outputs.iter().flatten();
+    let files = Inputs {
+        files,
+        outputs: outputs
+            .filter_map(|path| path.canonicalize().ok())
+            .collect(),
+    };
     let input = Input::load(&file.scene, &files, screen)?;
     for note in &input.notes {
         eprintln!("note: {note}");

@@ -27,8 +27,9 @@ pub fn run(args: &args::Render) -> Result<()> {
         Some(path) => path.clone(),
         None => default_output(&args.input.scene),
     };
-    refuse_same_file(args, &picture_path);
-    let input = input::load_on(&args.input, args.screen.get())?;
+    let outputs = outputs(args, &picture_path);
+    refuse_same_file(&outputs, &picture_path);
+    let input = input::load_on(&args.input, args.screen.get(), &outputs)?;
     let options = input::options(&input.scene, &args.frame);
     let (width, height) = (options.width, options.height);
     let started = Instant::now();
@@ -71,18 +72,18 @@ fn default_output(scene: &Path) -> PathBuf {
     name.into()
 }
 
-/// Two outputs to one file are wrong usage.
-fn refuse_same_file(args: &args::Render, picture: &Path) {
-    let stats = match &args.stats {
-        Some(Destination::File(path)) => Some(path.as_path()),
-        _ => None,
-    };
-    let outputs = [
+/// The files that will be written.
+fn outputs<'a>(args: &'a args::Render, picture: &'a Path) -> [Option<&'a Path>; 4] {
+    [
         Some(picture),
         args.depth_out.as_deref(),
         args.id_out.as_deref(),
-        stats,
-    ];
+        args.stats.as_ref().and_then(Destination::file),
+    ]
+}
+
+/// Two outputs to one file are wrong usage.
+fn refuse_same_file(outputs: &[Option<&Path>], picture: &Path) {
     for (i, path) in outputs.iter().enumerate() {
         if path.is_some() && outputs[..i].contains(path) {
             let name = path.unwrap_or(picture).display();

@@ -11,7 +11,7 @@ use std::sync::Arc;
 pub fn run(args: &args::View) -> Result<()> {
     let file = args.input.clone();
     let load: Loader = Arc::new(move |_: &Path| {
-        let input = input::load(&file).map_err(|error| format!("{error:#}"))?;
+        let input = input::load(&file, &[]).map_err(|error| format!("{error:#}"))?;
         Ok(Arc::new(Source {
             scene: input.scene,
             baked: input.baked,

@@ -62,6 +62,30 @@ fn an_interrupted_command_leaves_no_half_file() {
     }
 }
 
+/// Neither the scene nor what it names, whatever the command.
+#[test]
+fn what_is_read_is_not_written_over() {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path("folder")).unwrap();
+    let before = folder.names();
+    for words in [
+        "bake scene.toml -o scene.toml",
+        "bake scene.toml -o square.obj",
+        "bake square.obj -o folder/../square.obj",
+        "render scene.toml -o scene.toml",
+        "render scene.toml -o a.png --depth-out square.obj",
+        "render scene.toml -o a.png --stats scene.toml",
+        "compare scene.toml --json scene.toml",
+        "estimate scene.toml --board microbit --json square.obj",
+    ] {
+        let line = folder.fixel(words).fails();
+        assert!(line.contains("is what the output would replace"), "{line}");
+    }
+    assert_eq!(folder.names(), before);
+    folder.fixel("render scene.toml -o a.png").ok();
+    folder.fixel("render scene.toml -o a.png").ok();
+}
+
 fn interrupted_by(signal: i32) {
     let folder = Folder::new();
     // Long enough that a signal comes in time on a slow machine, too: some 500 ms.

@@ -78,6 +78,9 @@ impl<'a> Loader<'a> {
             file::parse(origin, text, self.screen, &mut notes)?
         } else {
             mesh::check_name(path).map_err(|_| {
+                if let Err(what) = self.files.read(path) {
+                    return Error::new(path, what);
+                }
                 let meshes = mesh::EXTENSIONS.join(", .");
                 let what = "is not a kind of file that can be read; expected one of .toml";
                 Error::new(path, format!("{what}, .{meshes}"))

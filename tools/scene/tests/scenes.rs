@@ -106,9 +106,14 @@ fn extensions_may_be_in_upper_case() {
 fn a_missing_file_or_a_strange_one_is_refused() {
     let message = |name: &str| load(Path::new(name)).unwrap_err().to_string();
     assert_eq!(message("no/such.toml"), "no/such.toml: does not exist");
+    assert_eq!(message("no/such.ob"), "no/such.ob: does not exist");
+    let picture = scenes().join("textures/leaf.png");
+    let picture = picture.to_str().unwrap();
     assert_eq!(
-        message("picture.png"),
-        "picture.png: is not a kind of file that can be read; \
-         expected one of .toml, .obj, .glb, .gltf, .stl, .ply"
+        message(picture),
+        format!(
+            "{picture}: is not a kind of file that can be read; \
+             expected one of .toml, .obj, .glb, .gltf, .stl, .ply"
+        )
     );
 }
