@@ -121,10 +121,18 @@ fn summary(report: &Report) -> String {
             report.shadow_mismatch_px, report.lit_px, report.shadow_mismatch_clusters
         );
     }
+    let shown = |what: Option<[usize; 2]>| match what {
+        Some([actor, triangle]) => format!("triangle {triangle} of actor {actor}"),
+        None => "nothing".into(),
+    };
     for m in &report.mismatches {
         text += &format!(
-            "  {:?} at {}, {}: truth {:?}, frame {:?}\n",
-            m.kind, m.x, m.y, m.truth, m.frame
+            "  {:?} at {}, {}: the reference shows {}, the frame {}\n",
+            m.kind,
+            m.x,
+            m.y,
+            shown(m.truth),
+            shown(m.frame)
         );
     }
     text
@@ -186,7 +194,7 @@ mod tests {
             "93.75 % equal",
             "max 0.500, mean 0.1250 texels",
             "5 of 12 lit px differ, 1 clusters",
-            "Extra at 5, 1: truth None, frame Some([0, 7])",
+            "Extra at 5, 1: the reference shows nothing, the frame triangle 7 of actor 0",
         ] {
             assert!(text.contains(wanted), "{wanted} in {text}");
         }

@@ -25,7 +25,7 @@ pub(crate) fn histogram(values: impl Iterator<Item = f64>, full: f64, unit: &str
     let wide = WIDTH / (BARS + 1);
     let mut svg = format!(
         "<svg class=\"histogram\" viewBox=\"0 0 {WIDTH} {}\" role=\"img\" \
-         aria-label=\"Histogram of {unit}\">\n",
+         aria-label=\"Histogram, {unit}\">\n",
         HEIGHT + 18
     );
     for (bar, count) in counts.iter().enumerate() {
