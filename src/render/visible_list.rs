@@ -11,7 +11,8 @@ use crate::cull::{Verdict, judge};
 use crate::scene::Scene;
 
 /// Lists the visible meshlets, near ones first: those that touch the rows from the band's first
-/// one to `end`, or as many of them as fit; see [`ShortList`].
+/// one to `end`, or as many of them as fit; after a place, those of the band that come after it.
+/// See [`ShortList`].
 #[inline(never)]
 pub(super) fn fill(
     entries: &mut [Entry],
