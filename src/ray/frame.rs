@@ -69,15 +69,19 @@ pub(super) fn draw_pass<D: Display, W: Watch>(
     work.lights.set(scene);
     work.windows.clear();
     work.shades.clear();
+    work.facet.clear();
+    let settings = scene.ray_settings();
     let mut tracer = Tracer {
         scene,
         actors: RayActors::new(scene, pose, work.slots, work.known),
         lights: work.lights,
         windows: work.windows,
         shades: work.shades,
+        facet: work.facet,
         waiting: work.waiting,
         materials: Materials::NONE,
-        settings: scene.ray_settings(),
+        settings,
+        needs_places: settings.shadows || work.lights.any_placed(),
         palette,
         background: scene.viewport_background(0),
     };

@@ -48,6 +48,12 @@ impl RayLights {
         all.any(|light| light.is_directional())
     }
 
+    /// Whether there is one that has a place.
+    pub(super) fn any_placed(&self) -> bool {
+        let mut all = self.model.all();
+        all.any(|light| !light.is_directional())
+    }
+
     /// Those of a scene.
     #[inline(never)]
     pub(super) fn set(&mut self, scene: &Scene<'_>) {

@@ -14,6 +14,7 @@ mod candidates;
 mod coarse;
 mod coverage;
 mod faces;
+mod facet;
 mod follow;
 mod frame;
 mod gather;

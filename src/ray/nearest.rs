@@ -4,6 +4,7 @@ use super::actor::{Form, GridPlace, RayActor};
 use super::ball::BallHit;
 use super::candidates::Candidates;
 use super::faces::Faces;
+use super::facet::Facet;
 use super::grid_ray::GridRay;
 use super::hierarchy::{Hierarchy, Stack};
 use super::ray::Ray;
@@ -171,18 +172,18 @@ impl RayActor {
         }
     }
 
-    /// The surface where a ray meets it.
+    /// The surface where a ray meets it; a triangle is `kept` for the next.
     #[inline(always)]
     pub(super) fn surface_at(
         &self,
         scene: &Scene<'_>,
         ray: &Ray,
         met: &Met,
-        need: Need,
+        (need, kept): (Need, &mut Facet),
     ) -> Option<Surface> {
         match &met.what {
             What::Nothing => None,
-            What::Triangle(grid, hit) => self.surface(scene, ray, grid, hit, need),
+            What::Triangle(grid, hit) => self.surface(scene, ray, (grid, hit), need, kept),
             What::Ball(hit) => self.ball_surface(scene, ray, hit),
             What::Rectangle(hit) => Some(self.rectangle_surface(scene, hit)),
         }

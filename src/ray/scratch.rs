@@ -1,6 +1,7 @@
 //! The ray caster's working memory.
 
 use super::actors::RaySlot;
+use super::facet::Facet;
 use super::gather::Gathered;
 use super::known::{KNOWN_A_SLOT, Known};
 use super::light::RayLights;
@@ -20,6 +21,7 @@ pub struct RayScratch<const ACTORS: usize> {
     gathered: Gathered,
     windows: Windows,
     shades: Shades,
+    facet: Facet,
     lights: RayLights,
     waiting: WaitingRays,
 }
@@ -37,6 +39,7 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
             gathered: Gathered::EMPTY,
             windows: Windows::EMPTY,
             shades: Shades::NONE,
+            facet: Facet::NONE,
             lights: RayLights::NONE,
             waiting: WaitingRays::NONE,
         }
@@ -51,6 +54,7 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
             gathered: &mut self.gathered,
             windows: &mut self.windows,
             shades: &mut self.shades,
+            facet: &mut self.facet,
             lights: &mut self.lights,
             waiting: &mut self.waiting,
         }
@@ -77,6 +81,8 @@ pub struct RayWorkspace<'a> {
     pub(super) windows: &'a mut Windows,
     /// Actors that they may meet.
     pub(super) shades: &'a mut Shades,
+    /// The triangle that a ray met last.
+    pub(super) facet: &'a mut Facet,
     pub(super) lights: &'a mut RayLights,
     pub(super) waiting: &'a mut WaitingRays,
 }

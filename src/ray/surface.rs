@@ -1,17 +1,17 @@
 //! The surface where a ray meets an actor.
 
 use super::actor::RayActor;
+use super::facet::Facet;
 use super::grid_ray::GridRay;
 use super::ray::Ray;
-use super::triangle::{Points, TriangleHit};
-use crate::light::vertex_normal;
-use crate::math::{Unit3, mul_q30, product, unit};
+use super::triangle::TriangleHit;
+use crate::math::{Unit3, mul_q30, unit_vector};
 use crate::scene::{Mesh, Meshlet, Record, Scene};
 
 /// A point of a surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Surface {
-    /// Raw world bits.
+    /// Raw world bits; of a triangle, the ray's start where nobody asks for the place.
     pub place: [i32; 3],
     /// The face's normal, outward.
     pub face: Unit3,
@@ -28,6 +28,8 @@ pub(super) struct Surface {
 /// What a surface is wanted for.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Need {
+    /// The place.
+    pub place: bool,
     /// The face's normal.
     pub face: bool,
     /// It is lit with the face's normal.
@@ -35,59 +37,73 @@ pub(super) struct Need {
 }
 
 impl RayActor {
-    /// The surface where a ray meets one of its triangles.
+    /// The surface where a ray meets one of its triangles, which is `kept` for the next.
     #[inline(never)]
     pub(super) fn surface(
         &self,
         scene: &Scene<'_>,
         ray: &Ray,
-        grid: &GridRay,
-        hit: &TriangleHit,
+        (grid, hit): (&GridRay, &TriangleHit),
         need: Need,
+        kept: &mut Facet,
     ) -> Option<Surface> {
-        let mesh = scene.mesh(self.mesh);
-        let words = scene.meshlets_of(&mesh).get(hit.meshlet as usize)?;
-        let meshlet = Meshlet::from_words(words);
-        let points = Points::new(scene, &mesh, meshlet, &grid.from);
-        let corners = points.corners(hit.triangle);
-        let [a, b, c] = corners.map(|corner| points.off(corner));
-        let (ab, ac) = (minus(b, a), minus(c, a));
+        let facet = kept.find((scene, self), &grid.from, hit, need)?;
         let [second, third] = hit.weights;
-        let mut off = a;
-        for ((off, b), c) in off.iter_mut().zip(ab).zip(ac) {
-            let along = mul_q30(second, b).wrapping_add(mul_q30(third, c));
-            *off = off.wrapping_add(along);
-        }
         let mut place = ray.origin;
-        let way = self.vector_to_world(off, grid.from.fraction);
-        for (c, w) in place.iter_mut().zip(way) {
-            *c = c.saturating_add(w);
+        if need.place {
+            let [ab, ac] = facet.edges;
+            let mut off = facet.off(&grid.from);
+            for ((off, b), c) in off.iter_mut().zip(ab).zip(ac) {
+                let along = mul_q30(second, b).wrapping_add(mul_q30(third, c));
+                *off = off.wrapping_add(along);
+            }
+            let way = self.vector_to_world(off, grid.from.fraction);
+            for (c, w) in place.iter_mut().zip(way) {
+                *c = c.saturating_add(w);
+            }
         }
-        let face = if need.face || need.flat {
-            let in_grid = unit(cross(ab, ac))?.0;
-            self.direction_to_world(in_grid).map(|c| c << 2)
-        } else {
-            [0; 3]
-        };
         let normal = if need.flat {
-            face
+            facet.face
         } else {
-            let all = scene.meshlet_vertices(&meshlet);
-            let fine = scene.meshlet_fine(&meshlet, &mesh);
             // 14 fractional bits each, and 16 of the weights.
             let weights = [(1 << 30) - second - third, second, third].map(|w| w >> 14);
             let mut sum = [0; 3];
-            for (corner, weight) in corners.into_iter().zip(weights) {
-                let [.., code] = all.get(corner).copied().unwrap_or_default();
-                let low = fine.get(corner).map(|[.., low]| *low);
-                let normal = vertex_normal(i16::from_le(code), low);
+            for (normal, weight) in facet.normals.into_iter().zip(weights) {
                 for (sum, c) in sum.iter_mut().zip(normal) {
                     *sum += c * weight;
                 }
             }
-            let in_grid = unit(sum).map_or([0, 0, 1 << 30], |(unit, _)| unit);
+            let in_grid = unit_vector(sum).unwrap_or([0, 0, 1 << 30]);
             self.direction_to_world(in_grid).map(|c| c << 2)
         };
+        let (tint, coordinates) = if facet.is_plain {
+            (None, None)
+        } else {
+            self.painted(scene, hit, facet.corners.map(usize::from))
+        };
+        Some(Surface {
+            place,
+            face: facet.face,
+            normal,
+            tint,
+            coordinates,
+            back: hit.back,
+        })
+    }
+
+    /// The colour and the texture coordinates where a triangle is met.
+    #[inline(never)]
+    fn painted(
+        &self,
+        scene: &Scene<'_>,
+        hit: &TriangleHit,
+        corners: [usize; 3],
+    ) -> (Option<[u8; 3]>, Option<[i32; 2]>) {
+        let mesh = scene.mesh(self.mesh);
+        let Some(words) = scene.meshlets_of(&mesh).get(hit.meshlet as usize) else {
+            return (None, None);
+        };
+        let meshlet = Meshlet::from_words(words);
         let colours = scene.meshlet_colours(&meshlet, &mesh);
         let colour = |corner: usize| colours.get(corner).copied();
         let tint = match corners.map(colour) {
@@ -98,14 +114,7 @@ impl RayActor {
             _ => None,
         };
         let coordinates = coordinates(scene, &mesh, &meshlet, corners, hit.weights);
-        Some(Surface {
-            place,
-            face,
-            normal,
-            tint,
-            coordinates,
-            back: hit.back,
-        })
+        (tint, coordinates)
     }
 }
 
@@ -141,27 +150,4 @@ fn between<const N: usize>(
         *out = (*out << 8) + along;
     }
     out
-}
-
-fn minus([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> [i32; 3] {
-    [
-        ax.wrapping_sub(bx),
-        ay.wrapping_sub(by),
-        az.wrapping_sub(bz),
-    ]
-}
-
-/// The cross product of two vectors, brought to 30 bits.
-fn cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
-    let ([ax, ay, az], [bx, by, bz]) = (a, b);
-    // 31 bits by 31.
-    let area = |p: i32, q: i32, r: i32, s: i32| product(p, q).wrapping_sub(product(r, s));
-    let wide = [
-        area(ay, bz, az, by),
-        area(az, bx, ax, bz),
-        area(ax, by, ay, bx),
-    ];
-    let most = wide.iter().fold(1, |m, c| m | c.unsigned_abs());
-    let down = 34u32.saturating_sub(most.leading_zeros());
-    wide.map(|c| (c >> down) as i32)
 }

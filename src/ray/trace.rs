@@ -4,6 +4,7 @@ use super::actors::RayActors;
 use super::bounce::Facing;
 use super::camera::RayCamera;
 use super::candidates::Candidates;
+use super::facet::Facet;
 use super::light::{Lit as LitPoint, RayLights, Seed, Shadows, shine, shorten};
 use super::nearest::Met;
 use super::ray::Ray;
@@ -57,8 +58,11 @@ pub(super) struct Tracer<'a> {
     pub windows: &'a mut Windows,
     pub waiting: &'a mut WaitingRays,
     pub shades: &'a mut Shades,
+    pub facet: &'a mut Facet,
     pub materials: Materials,
     pub settings: RaySettings,
+    /// Light depends on where a surface is, not on how it lies alone.
+    pub needs_places: bool,
     pub palette: Palette<'a>,
     pub background: Gradient<'a>,
 }
@@ -209,10 +213,11 @@ impl Tracer<'_> {
         let material = self.materials.get(self.scene, number);
         let goes_on = actor.optics != Optics::PLAIN;
         let need = Need {
+            place: self.needs_places || goes_on,
             face: self.settings.shadows || goes_on,
             flat: material.shading == Shading::Flat,
         };
-        let surface = actor.surface_at(self.scene, ray, met, need);
+        let surface = actor.surface_at(self.scene, ray, met, (need, self.facet));
         let surface = surface.as_ref()?;
         let (mesh, exact) = (actor.mesh, actor.is_exact());
         let lit = LitPoint {
