@@ -56,11 +56,17 @@ pub(super) struct Candidates<'a> {
     /// `None`: all of an actor.
     pub of: Option<&'a [Candidate; MOST]>,
     pub bits: u32,
+    /// Of meshes, single triangles, not parts.
+    pub single: bool,
 }
 
 impl Candidates<'_> {
     /// All of an actor.
-    pub(super) const ALL: Self = Candidates { of: None, bits: 1 };
+    pub(super) const ALL: Self = Candidates {
+        of: None,
+        bits: 1,
+        single: false,
+    };
 
     /// Whether there is none.
     #[inline(always)]
@@ -83,6 +89,7 @@ impl Candidates<'_> {
         let own = Candidates {
             of: self.of,
             bits: all ^ self.bits,
+            single: self.single,
         };
         Some((actor, own))
     }

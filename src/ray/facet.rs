@@ -3,7 +3,7 @@
 
 use super::actor::{GridPlace, RayActor};
 use super::surface::Need;
-use super::triangle::{Points, TriangleHit};
+use super::triangle::{Corners, Points, TriangleHit};
 use crate::light::vertex_normal;
 use crate::math::{ShortUnit, Unit3, product, unit_vector};
 use crate::scene::{Mesh, Meshlet, Record, Scene};
@@ -63,6 +63,22 @@ impl Facet {
         Some(self)
     }
 
+    /// Its corners as they are off a place in the actor's grid, if it is this triangle.
+    #[inline(always)]
+    pub(super) fn corners_off(
+        &self,
+        actor: &RayActor,
+        (meshlet, triangle): (u32, u8),
+        from: &GridPlace,
+    ) -> Option<Corners> {
+        if self.key != (actor.number, meshlet, triangle, from.fraction) {
+            return None;
+        }
+        let first = self.off(from);
+        let [ab, ac] = self.edges;
+        Some([first, plus(first, ab), plus(first, ac)])
+    }
+
     /// The first corner as it is off a place.
     #[inline(always)]
     pub(super) fn off(&self, from: &GridPlace) -> [i32; 3] {
@@ -119,6 +135,14 @@ fn normals(
         let low = fine.get(corner).map(|[.., low]| *low);
         vertex_normal(i16::from_le(code), low)
     })
+}
+
+fn plus([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> [i32; 3] {
+    [
+        ax.wrapping_add(bx),
+        ay.wrapping_add(by),
+        az.wrapping_add(bz),
+    ]
 }
 
 fn minus([ax, ay, az]: [i32; 3], [bx, by, bz]: [i32; 3]) -> [i32; 3] {

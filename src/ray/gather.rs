@@ -32,6 +32,8 @@ pub(super) struct Gathered {
     bits: Bits,
     /// How many are in the list.
     count: usize,
+    /// Of meshes, there are single triangles in it, not parts.
+    single: bool,
     /// Of tiles and their quarters: how long they are not gathered where they have too many
     /// triangles.
     pauses: [Pause; 2],
@@ -43,6 +45,7 @@ impl Gathered {
         list: [Candidate::all_of(0); MOST],
         bits: [0; TILE * TILE],
         count: 0,
+        single: false,
         pauses: [Pause::NONE; 2],
     };
 
@@ -177,7 +180,7 @@ impl Gathered {
                 return false;
             }
         }
-        self.count = count;
+        (self.count, self.single) = (count, true);
         true
     }
 
@@ -225,7 +228,7 @@ impl Gathered {
             }
             room = room.saturating_sub(found.saturating_sub(1));
         }
-        self.count = count;
+        (self.count, self.single) = (count, false);
         true
     }
 
@@ -240,6 +243,7 @@ impl Gathered {
         Candidates {
             of: Some(&self.list),
             bits: self.bits.get(pixel).copied().unwrap_or(0),
+            single: self.single,
         }
     }
 }

@@ -24,6 +24,7 @@ mod holes;
 mod known;
 mod leaves;
 mod light;
+mod listed;
 mod nearest;
 mod outline;
 mod parts;

@@ -58,17 +58,25 @@ impl Met {
     }
 }
 
+/// Parts of an actor's mesh, and what looking for the nearest in them works with.
+pub(super) struct Parts<'a, 'm> {
+    pub of: Candidates<'a>,
+    /// Memory for what is left for later.
+    pub left: &'m mut Stack,
+    /// The triangle that was lit last.
+    pub kept: &'m Facet,
+}
+
 impl RayActor {
     /// Where a ray first meets this actor, if that is nearer than what it met so far; `from`
-    /// is the ray's start in the actor's grid. Of a mesh, it is looked for in parts; with them is
-    /// memory for what is left for later.
+    /// is the ray's start in the actor's grid. Of a mesh, it is looked for in parts.
     #[inline(always)]
     pub(super) fn meet(
         &self,
         scene: &Scene<'_>,
         ray: &Ray,
         from: Option<&GridPlace>,
-        parts: (Candidates<'_>, &mut Stack),
+        parts: Parts<'_, '_>,
         best: &mut Met,
     ) {
         match self.form {
@@ -105,15 +113,19 @@ impl RayActor {
         scene: &Scene<'_>,
         ray: &Ray,
         (from, first_node): (&GridPlace, u32),
-        (parts, left): (Candidates<'_>, &mut Stack),
+        parts: Parts<'_, '_>,
         best: &mut Met,
     ) {
         let grid = GridRay::new(self, ray, from);
-        let mesh = scene.mesh(self.mesh);
-        let tree = Hierarchy::new(scene, &mesh, first_node, self.holes);
         let near = grid.units(self, ray.near);
         let range = (near, limit(&grid, self, best.distance));
-        let hit = tree.nearest(&grid, self.faces, range, parts, left);
+        let hit = if parts.of.single && self.holes.is_none() {
+            self.nearest_listed(scene, &grid, range, parts.of, parts.kept)
+        } else {
+            let mesh = scene.mesh(self.mesh);
+            let tree = Hierarchy::new(scene, &mesh, first_node, self.holes);
+            tree.nearest(&grid, self.faces, range, parts.of, parts.left)
+        };
         let Some(hit) = hit else { return };
         let way = self.way(grid.along, grid.from.fraction);
         let distance = Scaled::new(hit.ahead.unsigned_abs(), 0).times(way).fixed(0);

@@ -6,13 +6,13 @@ use super::camera::RayCamera;
 use super::candidates::Candidates;
 use super::facet::Facet;
 use super::light::{Lit as LitPoint, RayLights, Seed, Shadows, shine, shorten};
-use super::nearest::Met;
+use super::nearest::{Met, Parts};
 use super::ray::Ray;
 use super::shades::Shades;
 use super::surface::Need;
 use super::waiting::WaitingRays;
 use super::windows::Windows;
-use crate::light::{Lit, Parts, sum};
+use crate::light::{self, Lit, sum};
 use crate::palette::Palette;
 use crate::scene::NO_TEXEL;
 use crate::scene::layout::BASES;
@@ -163,7 +163,11 @@ impl Tracer<'_> {
                 _ => None,
             };
             let from = of_parallel.as_ref().or(from);
-            let parts = (Candidates::ALL, &mut self.windows.left);
+            let parts = Parts {
+                of: Candidates::ALL,
+                left: &mut self.windows.left,
+                kept: self.facet,
+            };
             actor.meet(self.scene, ray, from, parts, best);
         }
     }
@@ -182,7 +186,11 @@ impl Tracer<'_> {
             let Some((actor, from)) = self.actors.seen(number, viewport, camera) else {
                 break;
             };
-            let parts = (own, &mut self.windows.left);
+            let parts = Parts {
+                of: own,
+                left: &mut self.windows.left,
+                kept: self.facet,
+            };
             actor.meet(self.scene, ray, from, parts, best);
         }
     }
@@ -200,7 +208,11 @@ impl Tracer<'_> {
             } else {
                 actor.place(ray.origin)
             };
-            let parts = (Candidates::ALL, &mut self.windows.left);
+            let parts = Parts {
+                of: Candidates::ALL,
+                left: &mut self.windows.left,
+                kept: self.facet,
+            };
             actor.meet(self.scene, ray, from.as_ref(), parts, best);
         }
     }
@@ -294,7 +306,7 @@ fn textured(
     scene: &Scene<'_>,
     (material, texture): (&Material, u8),
     (mesh, place): (u16, [i32; 2]),
-    parts: Parts,
+    parts: light::Parts,
 ) -> (Lit, Option<u8>) {
     let plain = (sum(parts.body, parts.gloss), None);
     let (Some(texture), Some(own)) = (scene.texture(texture), scene.mesh(mesh).coordinates) else {

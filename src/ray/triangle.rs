@@ -110,16 +110,27 @@ impl<'a> Points<'a> {
     }
 }
 
-/// Where a ray meets a triangle between `nearest` and `farthest`.
+/// Where a ray meets a triangle of some points between `nearest` and `farthest`.
 #[inline(always)]
 pub(super) fn meet(
     ray: &GridRay,
     points: &Points<'_>,
+    number: (u32, u8),
+    faces: Faces,
+    range: (i32, i32),
+) -> Option<TriangleHit> {
+    meet_corners(ray, &points.triangle(number.1), number, faces, range)
+}
+
+/// The same of a triangle's corners as they are off the ray's start.
+#[inline(always)]
+pub(super) fn meet_corners(
+    ray: &GridRay,
+    &[a, b, c]: &Corners,
     (meshlet, triangle): (u32, u8),
     faces: Faces,
     (nearest, farthest): (i32, i32),
 ) -> Option<TriangleHit> {
-    let [a, b, c] = points.triangle(triangle);
     let vertex = |corner: [i32; 3]| ray.sheared(ray.in_order(corner));
     let (a, b, c) = (vertex(a), vertex(b), vertex(c));
     let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (a, b, c);
