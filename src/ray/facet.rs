@@ -5,32 +5,61 @@ use super::actor::{GridPlace, RayActor};
 use super::surface::Need;
 use super::triangle::{Corners, Points, TriangleHit};
 use crate::light::vertex_normal;
-use crate::math::{ShortUnit, Unit3, product, unit_vector};
+use crate::math::{Unit3, product, unit_vector};
 use crate::scene::{Mesh, Meshlet, Record, Scene};
 
 /// See the module. Lengths are in `2^-fraction` grid steps.
 #[derive(Debug)]
 pub(super) struct Facet {
-    /// Whose it is: actor, meshlet of its mesh, triangle of that, and the fraction.
-    key: (u16, u32, u8, i32),
+    key: Key,
     /// The first corner, from the middle of the grid.
     first: [i32; 3],
     /// From the first corner to the others.
     pub edges: [[i32; 3]; 2],
     /// The face's normal, outward, in the world; 0 where nobody asks for it.
     pub face: Unit3,
-    /// The vertices' normals in the grid; 0 where the face's lights it.
-    pub normals: [ShortUnit; 3],
+    /// The vertices' normals in the grid, 14 fractional bits; 0 where the face's lights it.
+    pub normals: [[i16; 3]; 3],
     /// The vertices' numbers in the meshlet.
     pub corners: [u8; 3],
     /// The mesh has neither colours nor texture coordinates.
     pub is_plain: bool,
 }
 
+/// Whose a facet is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Key {
+    /// Of the actor's mesh.
+    meshlet: u32,
+    actor: u16,
+    /// Of the meshlet.
+    triangle: u8,
+    /// In which units.
+    fraction: i8,
+}
+
+impl Key {
+    #[inline(always)]
+    fn new(actor: &RayActor, (meshlet, triangle): (u32, u8), from: &GridPlace) -> Self {
+        Self {
+            meshlet,
+            actor: actor.number,
+            triangle,
+            // -20..=8.
+            fraction: from.fraction as i8,
+        }
+    }
+}
+
 impl Facet {
     /// None yet: no mesh has so many meshlets.
     pub(super) const NONE: Self = Self {
-        key: (0, u32::MAX, 0, 0),
+        key: Key {
+            meshlet: u32::MAX,
+            actor: 0,
+            triangle: 0,
+            fraction: 0,
+        },
         first: [0; 3],
         edges: [[0; 3]; 2],
         face: [0; 3],
@@ -54,7 +83,7 @@ impl Facet {
         hit: &TriangleHit,
         need: Need,
     ) -> Option<&Self> {
-        let key = (actor.number, hit.meshlet, hit.triangle, from.fraction);
+        let key = Key::new(actor, (hit.meshlet, hit.triangle), from);
         if self.key != key {
             self.clear();
             self.make((scene, actor), from, hit, need)?;
@@ -68,10 +97,10 @@ impl Facet {
     pub(super) fn corners_off(
         &self,
         actor: &RayActor,
-        (meshlet, triangle): (u32, u8),
+        number: (u32, u8),
         from: &GridPlace,
     ) -> Option<Corners> {
-        if self.key != (actor.number, meshlet, triangle, from.fraction) {
+        if self.key != Key::new(actor, number, from) {
             return None;
         }
         let first = self.off(from);
@@ -121,19 +150,19 @@ impl Facet {
     }
 }
 
-/// The normals of a triangle's vertices.
+/// The normals of a triangle's vertices, 14 fractional bits.
 fn normals(
     scene: &Scene<'_>,
     mesh: &Mesh,
     meshlet: &Meshlet,
     corners: [usize; 3],
-) -> [ShortUnit; 3] {
+) -> [[i16; 3]; 3] {
     let all = scene.meshlet_vertices(meshlet);
     let fine = scene.meshlet_fine(meshlet, mesh);
     corners.map(|corner| {
         let [.., code] = all.get(corner).copied().unwrap_or_default();
         let low = fine.get(corner).map(|[.., low]| *low);
-        vertex_normal(i16::from_le(code), low)
+        vertex_normal(i16::from_le(code), low).map(|c| c as i16)
     })
 }
 

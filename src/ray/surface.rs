@@ -70,7 +70,7 @@ impl RayActor {
             let mut sum = [0; 3];
             for (normal, weight) in facet.normals.into_iter().zip(weights) {
                 for (sum, c) in sum.iter_mut().zip(normal) {
-                    *sum += c * weight;
+                    *sum += i32::from(c) * weight;
                 }
             }
             let in_grid = unit_vector(sum).unwrap_or([0, 0, 1 << 30]);
