@@ -191,11 +191,11 @@ impl RayActor {
         scene: &Scene<'_>,
         ray: &Ray,
         met: &Met,
-        (need, kept): (Need, &mut Facet),
+        (need, kept): (impl FnOnce() -> Need, &mut Facet),
     ) -> Option<Surface> {
         match &met.what {
             What::Nothing => None,
-            What::Triangle(grid, hit) => self.surface(scene, ray, (grid, hit), need, kept),
+            What::Triangle(grid, hit) => self.surface(scene, ray, (grid, hit), need(), kept),
             What::Ball(hit) => self.ball_surface(scene, ray, hit),
             What::Rectangle(hit) => Some(self.rectangle_surface(scene, hit)),
         }

@@ -224,7 +224,7 @@ impl Tracer<'_> {
         let number = actor.material;
         let material = self.materials.get(self.scene, number);
         let goes_on = actor.optics != Optics::PLAIN;
-        let need = Need {
+        let need = || Need {
             place: self.needs_places || goes_on,
             face: self.settings.shadows || goes_on,
             flat: material.shading == Shading::Flat,
