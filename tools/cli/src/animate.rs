@@ -38,7 +38,7 @@ struct Picture {
 pub fn run(args: &args::Animate) -> Result<()> {
     let kind = kind(&args.output)?;
     let name = || args.input.scene.display().to_string();
-    let input = input::load(&args.input, &[Some(&args.output)])?;
+    let mut input = input::load(&args.input, &[Some(&args.output)])?;
     let Some(frames) = args.frames.or(input.scene.animation.length()) else {
         bail!(
             "{}: nothing moves; expected [animation] with frames, a turntable or a \
@@ -46,6 +46,10 @@ pub fn run(args: &args::Animate) -> Result<()> {
             name()
         );
     };
+    if input.scene.source.bare {
+        // A whole turn, however long.
+        input.scene.animation.turntable = Some(frames);
+    }
     let baked = match args.renderer {
         Tested::Raster => input.bake(),
         Tested::Ray => input.bake_for_rays(),

@@ -1,6 +1,7 @@
 //! The command line's words. Scripts rely on them: they only ever grow.
 
 use crate::examples::*;
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use fixel_estimate::Board;
@@ -56,7 +57,7 @@ pub struct Render {
     #[command(flatten)]
     pub input: Input,
     /// The picture [default: the scene's name with .png, in this folder].
-    #[arg(short, long, value_name = "FRAME.png")]
+    #[arg(short, long, value_name = "FRAME.png", value_parser = paths().try_map(png))]
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub frame: Frame,
@@ -65,13 +66,16 @@ pub struct Render {
     pub renderer: Renderer,
     /// Rows in a band [default: the whole picture in one]. The pictures are
     /// the same; the reference renderer has no bands.
-    #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "ROWS", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..))]
     pub bands: Option<u32>,
     /// The depth buffer as a 16-bit grey PNG; 0 where nothing is seen.
-    #[arg(long, value_name = "D.png")]
+    #[arg(long, value_name = "D.png", value_parser = paths().try_map(png))]
     pub depth_out: Option<PathBuf>,
-    /// 16-bit grey PNG: 0 background, otherwise 1 + the actor's index.
-    #[arg(long, value_name = "I.png")]
+    /// 16-bit grey PNG: 0 background, otherwise 1 + the actor's index in the file. Such small
+    /// numbers look black: `i` in fixel view shows them in colours, and so does any program
+    /// that stretches greys, such as magick I.png -auto-level seen.png.
+    #[arg(long, value_name = "I.png", value_parser = paths().try_map(png))]
     pub id_out: Option<PathBuf>,
     /// Figures about the frame as JSON; - for standard output.
     #[arg(long, value_name = "S.json|-")]
@@ -83,11 +87,12 @@ pub struct Render {
 /// A panel instead of the scene's display.
 #[derive(Debug, Args)]
 pub struct Screen {
-    /// For this panel: its size and colour instead of the scene's.
+    /// For this panel: its size and colour instead of the scene's. Such as st7789-240x240; a
+    /// wrong name lists them.
     #[arg(long, value_name = "PANEL", value_parser = panel)]
     pub display: Option<Panel>,
-    /// How it shows greys between its own [default: as the scene says]:
-    /// none, bayer4, bayer8, blue_noise, floyd_steinberg.
+    /// How it shows greys between its own [default: as the scene says, or blue_noise if that
+    /// is for a display of colours]: none, bayer4, bayer8, blue_noise, floyd_steinberg.
     #[arg(long, value_name = "WAY", value_parser = dithering, requires = "display")]
     pub dithering: Option<PanelDithering>,
 }
@@ -100,6 +105,29 @@ impl Screen {
             dithering: self.dithering,
         })
     }
+}
+
+fn paths() -> PathBufValueParser {
+    PathBufValueParser::new()
+}
+
+/// A picture's name. One without an ending may be a device.
+fn png(path: PathBuf) -> Result<PathBuf, String> {
+    let path = file(path)?;
+    match path.extension() {
+        Some(kind) if !kind.eq_ignore_ascii_case("png") => {
+            Err("expected a name that ends in .png, such as frame.png".into())
+        }
+        _ => Ok(path),
+    }
+}
+
+/// The name of a file, which standard output is not.
+fn file(path: PathBuf) -> Result<PathBuf, String> {
+    if path == Path::new("-") {
+        return Err("expected the name of a file; standard output takes JSON and text".into());
+    }
+    Ok(path)
 }
 
 fn panel(name: &str) -> Result<Panel, String> {
@@ -133,7 +161,8 @@ pub struct Compare {
     #[arg(long, value_enum, default_value_t)]
     pub renderer: Tested,
     /// Rows in a band [default: the whole picture in one].
-    #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "ROWS", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..))]
     pub bands: Option<u32>,
     /// The figures as JSON; - for standard output.
     #[arg(long, value_name = "FILE|-")]
@@ -151,7 +180,12 @@ pub struct Frame {
     #[arg(long, value_name = "WxH")]
     pub size: Option<Size>,
     /// Frame of the animation.
-    #[arg(long = "frame", value_name = "N", default_value_t = 0)]
+    #[arg(
+        long = "frame",
+        value_name = "N",
+        default_value_t = 0,
+        allow_negative_numbers = true
+    )]
     pub number: u32,
 }
 
@@ -161,14 +195,16 @@ pub struct Bake {
     #[command(flatten)]
     pub input: Input,
     /// The baked scene.
-    #[arg(short, long, value_name = "OUT.fxl")]
+    #[arg(short, long, value_name = "OUT.fxl", value_parser = paths().try_map(file))]
     pub output: PathBuf,
     /// Simplify the scene's meshes, the largest ones, to at most N triangles in total; how
     /// far they then are off is said on standard error.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..))]
     pub max_triangles: Option<u32>,
     /// Colours of the palette, 2 to 256 [default: as the scene says].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=256))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(2..=256))]
     pub colours: Option<u32>,
     /// With what the ray caster needs: a hierarchy of boxes over each mesh, and more.
     #[arg(long)]
@@ -195,16 +231,18 @@ pub struct Animate {
     pub input: Input,
     /// A .gif, an animated .png, or a folder for single pictures
     /// (frame_0000.png and so on).
-    #[arg(short, long, value_name = "OUT")]
+    #[arg(short, long, value_name = "OUT", value_parser = paths().try_map(file))]
     pub output: PathBuf,
-    /// How many frames [default: until the animation starts again].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    /// How many frames [default: until the animation starts again]. A mesh alone turns once
+    /// in them, or in 60.
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: Option<u32>,
     /// How to render.
     #[arg(long, value_enum, default_value_t)]
     pub renderer: Tested,
     /// Frames a second.
-    #[arg(long, value_name = "N", default_value_t = 25,
+    #[arg(long, value_name = "N", default_value_t = 25, allow_negative_numbers = true,
           value_parser = clap::value_parser!(u16).range(1..=100))]
     pub fps: u16,
     /// Picture size in pixels [default: the scene's display].
@@ -227,7 +265,8 @@ pub struct View {
     #[arg(long, value_enum, default_value_t)]
     pub renderer: Renderer,
     /// Screen pixels a panel pixel takes [default: as fits].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..=16))]
     pub zoom: Option<u32>,
     /// Keys and mouse moves from a file, one a line, as if they were made in the window; for
     /// tests.
@@ -256,12 +295,17 @@ pub struct Estimate {
     /// The board; a wrong name lists them.
     #[arg(long, value_name = "NAME", value_parser = Board::find)]
     pub board: &'static Board,
-    /// Rows in a band, at most.
-    #[arg(long, value_name = "ROWS", default_value_t = 16,
+    /// Rows in a band, at most [default: 16, or as many as the board has the RAM for].
+    #[arg(long, value_name = "ROWS", allow_negative_numbers = true,
           value_parser = clap::value_parser!(u32).range(1..))]
-    pub bands: u32,
+    pub bands: Option<u32>,
     /// Frame of the animation.
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0,
+        allow_negative_numbers = true
+    )]
     pub frame: u32,
     /// The figures as JSON; - for standard output.
     #[arg(long, value_name = "FILE|-")]
