@@ -36,6 +36,7 @@ struct Picture {
 
 /// Renders the frames of an animation and writes them.
 pub fn run(args: &args::Animate) -> Result<()> {
+    output::refuse_stdout(&args.output)?;
     let kind = kind(&args.output)?;
     let name = || args.input.scene.display().to_string();
     let mut input = input::load(&args.input, &[Some(&args.output)])?;

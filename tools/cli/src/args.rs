@@ -1,7 +1,6 @@
 //! The command line's words. Scripts rely on them: they only ever grow.
 
 use crate::examples::*;
-use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use fixel_estimate::Board;
@@ -57,7 +56,7 @@ pub struct Render {
     #[command(flatten)]
     pub input: Input,
     /// The picture [default: the scene's name with .png, in this folder].
-    #[arg(short, long, value_name = "FRAME.png", value_parser = paths().try_map(png))]
+    #[arg(short, long, value_name = "FRAME.png")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub frame: Frame,
@@ -70,12 +69,12 @@ pub struct Render {
           value_parser = clap::value_parser!(u32).range(1..))]
     pub bands: Option<u32>,
     /// The depth buffer as a 16-bit grey PNG; 0 where nothing is seen.
-    #[arg(long, value_name = "D.png", value_parser = paths().try_map(png))]
+    #[arg(long, value_name = "D.png")]
     pub depth_out: Option<PathBuf>,
     /// 16-bit grey PNG: 0 background, otherwise 1 + the actor's index in the file. Such small
     /// numbers look black: `i` in fixel view shows them in colours, and so does any program
     /// that stretches greys, such as magick I.png -auto-level seen.png.
-    #[arg(long, value_name = "I.png", value_parser = paths().try_map(png))]
+    #[arg(long, value_name = "I.png")]
     pub id_out: Option<PathBuf>,
     /// Figures about the frame as JSON; - for standard output.
     #[arg(long, value_name = "S.json|-")]
@@ -105,29 +104,6 @@ impl Screen {
             dithering: self.dithering,
         })
     }
-}
-
-fn paths() -> PathBufValueParser {
-    PathBufValueParser::new()
-}
-
-/// A picture's name. One without an ending may be a device.
-fn png(path: PathBuf) -> Result<PathBuf, String> {
-    let path = file(path)?;
-    match path.extension() {
-        Some(kind) if !kind.eq_ignore_ascii_case("png") => {
-            Err("expected a name that ends in .png, such as frame.png".into())
-        }
-        _ => Ok(path),
-    }
-}
-
-/// The name of a file, which standard output is not.
-fn file(path: PathBuf) -> Result<PathBuf, String> {
-    if path == Path::new("-") {
-        return Err("expected the name of a file; standard output takes JSON and text".into());
-    }
-    Ok(path)
 }
 
 fn panel(name: &str) -> Result<Panel, String> {
@@ -195,7 +171,7 @@ pub struct Bake {
     #[command(flatten)]
     pub input: Input,
     /// The baked scene.
-    #[arg(short, long, value_name = "OUT.fxl", value_parser = paths().try_map(file))]
+    #[arg(short, long, value_name = "OUT.fxl")]
     pub output: PathBuf,
     /// Simplify the scene's meshes, the largest ones, to at most N triangles in total; how
     /// far they then are off is said on standard error.
@@ -231,7 +207,7 @@ pub struct Animate {
     pub input: Input,
     /// A .gif, an animated .png, or a folder for single pictures
     /// (frame_0000.png and so on).
-    #[arg(short, long, value_name = "OUT", value_parser = paths().try_map(file))]
+    #[arg(short, long, value_name = "OUT")]
     pub output: PathBuf,
     /// How many frames [default: until the animation starts again]. A mesh alone turns once
     /// in them, or in 60.

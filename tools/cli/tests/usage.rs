@@ -17,11 +17,6 @@ fn wrong_usage_is_exit_code_2() {
         "render scene.toml --bands 0",
         "render scene.toml --renderer magic",
         "render scene.toml -o a.png --depth-out a.png",
-        "render scene.toml -o a.jpg",
-        "render scene.toml --id-out a.gif",
-        "render scene.toml -o -",
-        "bake scene.toml -o -",
-        "animate scene.toml -o -",
         "compare scene.toml --renderer reference",
         "bake scene.toml",
         "bake scene.toml -o a.fxl --colours 257",
@@ -45,9 +40,25 @@ fn wrong_words_are_told_with_what_is_expected() {
     for (words, told) in [
         (
             "render scene.toml -o a.jpg",
+            "a.jpg: pictures are written as PNG",
+        ),
+        (
+            "render scene.toml --depth-out a.tiff",
             "expected a name that ends in .png",
         ),
+        (
+            "render scene.toml --id-out a.gif",
+            "expected a name that ends in .png",
+        ),
+        ("animate scene.toml -o a.jpg", "ends in .gif or .png"),
         ("render scene.toml -o -", "expected the name of a file"),
+        ("bake scene.toml -o -", "expected the name of a file"),
+        ("animate scene.toml -o -", "expected the name of a file"),
+    ] {
+        let line = folder.fixel(words).fails();
+        assert!(line.contains(told), "{words}: {line}");
+    }
+    for (words, told) in [
         (
             "render scene.toml --frame -1",
             "-1 is not in 0..=4294967295",
@@ -58,6 +69,7 @@ fn wrong_words_are_told_with_what_is_expected() {
         ),
     ] {
         let run = folder.fixel(words);
+        assert_eq!(run.code(), 2);
         assert!(run.stderr().contains(told), "{words}: {}", run.stderr());
     }
     assert_eq!(folder.names(), ["scene.toml", "square.obj"]);
