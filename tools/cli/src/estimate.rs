@@ -97,6 +97,12 @@ fn text(board: &Board, e: &Estimate, size: (u16, u16)) -> String {
         let fits = if taken > there { ", too many" } else { "" };
         format!("{taken} bytes of {there}{fits}")
     };
+    // The measured firmware is built for speed.
+    let smaller = if e.flash_bytes() > board.flash_bytes {
+        "; opt-level = 2 makes code smaller"
+    } else {
+        ""
+    };
     let panel = &board.panel;
     let bus = if panel.bits_a_second > 0 {
         format!(
@@ -116,7 +122,7 @@ fn text(board: &Board, e: &Estimate, size: (u16, u16)) -> String {
     format!(
         "board: {}, {}\n\
          picture: {}x{} on {}\n\
-         flash: {}: code {} ({}), scene {}\n\
+         flash: {}: code {} ({}), scene {}{smaller}\n\
          RAM: {}: band of {} rows {}, on the bus two of {} {}, \
          Scratch<{meshlets}, {slots}, {actors}> and colours {}, stack {}\n\
          instructions a frame: {:.2} million\n\
