@@ -38,7 +38,7 @@ impl From<Error> for String {
 }
 
 /// Writes a file by way of a temporary one in the same folder, so that no one ever sees
-/// a part of it, whatever ends the program ([`stop`] takes the temporary one away). What is there and no plain file (such as
+/// a part of it, whatever ends the program ([`stop()`] takes the temporary one away). What is there and no plain file (such as
 /// `/dev/null`) is written to as it is; a link keeps pointing at its target, and a file
 /// that is replaced keeps its permissions.
 ///
