@@ -183,6 +183,10 @@ for (const made of task.dropped) {
     const stem = names[0].replace(/\.[^.]*$/, "");
     const bytes = await download("download", `${stem}.fxl`);
     if (!bytes.equals(readFileSync(made.blob))) return "what is downloaded differs from what fixel bake makes";
+    // A model alone turns.
+    const before = await pixels();
+    await click("step");
+    await changed(before, "a step");
     // What was baked can be dropped again.
     await drop([["again.fxl", bytes]]);
     await shows(made.panel, `${GLASS}.dataset.path === "again.fxl"`);

@@ -31,9 +31,10 @@ impl Baked {
         header.camera.half_height = widened.min(WIDEST).round() as u32;
         header.width = panel.width as u16;
         header.height = panel.height as u16;
-        header.colour_format = colour_format(panel.colour);
         let own = unbake::panel_dithering(scene.panel_dithering());
-        header.panel_dithering = panel_dithering(screen.dithering(own)) as u8;
+        let dithering = screen.dithering(unbake::colour_format(scene.colour_format()), own);
+        header.colour_format = colour_format(panel.colour);
+        header.panel_dithering = panel_dithering(dithering) as u8;
         let mut words = self.words().to_vec();
         seal(&mut words, header);
         Ok(Self::of_words(words, self.sources.clone()))

@@ -166,7 +166,7 @@ fn stereo(output: &core_scene::Output) -> Stereo {
     }
 }
 
-fn colour_format(format: core_scene::ColourFormat) -> ColourFormat {
+pub(crate) fn colour_format(format: core_scene::ColourFormat) -> ColourFormat {
     match format {
         core_scene::ColourFormat::Rgb888 => ColourFormat::Rgb888,
         core_scene::ColourFormat::Rgb565 => ColourFormat::Rgb565,

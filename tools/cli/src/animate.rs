@@ -36,9 +36,10 @@ struct Picture {
 
 /// Renders the frames of an animation and writes them.
 pub fn run(args: &args::Animate) -> Result<()> {
+    output::refuse_stdout(&args.output)?;
     let kind = kind(&args.output)?;
     let name = || args.input.scene.display().to_string();
-    let input = input::load(&args.input, &[Some(&args.output)])?;
+    let mut input = input::load(&args.input, &[Some(&args.output)])?;
     let Some(frames) = args.frames.or(input.scene.animation.length()) else {
         bail!(
             "{}: nothing moves; expected [animation] with frames, a turntable or a \
@@ -46,6 +47,10 @@ pub fn run(args: &args::Animate) -> Result<()> {
             name()
         );
     };
+    if input.scene.source.bare {
+        // A whole turn, however long.
+        input.scene.animation.turntable = Some(frames);
+    }
     let baked = match args.renderer {
         Tested::Raster => input.bake(),
         Tested::Ray => input.bake_for_rays(),

@@ -65,12 +65,15 @@ pub struct Render {
     pub renderer: Renderer,
     /// Rows in a band [default: the whole picture in one]. The pictures are
     /// the same; the reference renderer has no bands.
-    #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "ROWS", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..))]
     pub bands: Option<u32>,
     /// The depth buffer as a 16-bit grey PNG; 0 where nothing is seen.
     #[arg(long, value_name = "D.png")]
     pub depth_out: Option<PathBuf>,
-    /// 16-bit grey PNG: 0 background, otherwise 1 + the actor's index.
+    /// 16-bit grey PNG: 0 background, otherwise 1 + the actor's index in the file. Such small
+    /// numbers look black: `i` in fixel view shows them in colours, and so does any program
+    /// that stretches greys, such as magick I.png -auto-level seen.png.
     #[arg(long, value_name = "I.png")]
     pub id_out: Option<PathBuf>,
     /// Figures about the frame as JSON; - for standard output.
@@ -83,11 +86,12 @@ pub struct Render {
 /// A panel instead of the scene's display.
 #[derive(Debug, Args)]
 pub struct Screen {
-    /// For this panel: its size and colour instead of the scene's.
+    /// For this panel: its size and colour instead of the scene's. Such as st7789-240x240; a
+    /// wrong name lists them.
     #[arg(long, value_name = "PANEL", value_parser = panel)]
     pub display: Option<Panel>,
-    /// How it shows greys between its own [default: as the scene says]:
-    /// none, bayer4, bayer8, blue_noise, floyd_steinberg.
+    /// How it shows greys between its own [default: as the scene says, or blue_noise if that
+    /// is for a display of colours]: none, bayer4, bayer8, blue_noise, floyd_steinberg.
     #[arg(long, value_name = "WAY", value_parser = dithering, requires = "display")]
     pub dithering: Option<PanelDithering>,
 }
@@ -133,7 +137,8 @@ pub struct Compare {
     #[arg(long, value_enum, default_value_t)]
     pub renderer: Tested,
     /// Rows in a band [default: the whole picture in one].
-    #[arg(long, value_name = "ROWS", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "ROWS", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..))]
     pub bands: Option<u32>,
     /// The figures as JSON; - for standard output.
     #[arg(long, value_name = "FILE|-")]
@@ -151,7 +156,12 @@ pub struct Frame {
     #[arg(long, value_name = "WxH")]
     pub size: Option<Size>,
     /// Frame of the animation.
-    #[arg(long = "frame", value_name = "N", default_value_t = 0)]
+    #[arg(
+        long = "frame",
+        value_name = "N",
+        default_value_t = 0,
+        allow_negative_numbers = true
+    )]
     pub number: u32,
 }
 
@@ -165,10 +175,12 @@ pub struct Bake {
     pub output: PathBuf,
     /// Simplify the scene's meshes, the largest ones, to at most N triangles in total; how
     /// far they then are off is said on standard error.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..))]
     pub max_triangles: Option<u32>,
     /// Colours of the palette, 2 to 256 [default: as the scene says].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=256))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(2..=256))]
     pub colours: Option<u32>,
     /// With what the ray caster needs: a hierarchy of boxes over each mesh, and more.
     #[arg(long)]
@@ -197,14 +209,16 @@ pub struct Animate {
     /// (frame_0000.png and so on).
     #[arg(short, long, value_name = "OUT")]
     pub output: PathBuf,
-    /// How many frames [default: until the animation starts again].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    /// How many frames [default: until the animation starts again]. A mesh alone turns once
+    /// in them, or in 60.
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: Option<u32>,
     /// How to render.
     #[arg(long, value_enum, default_value_t)]
     pub renderer: Tested,
     /// Frames a second.
-    #[arg(long, value_name = "N", default_value_t = 25,
+    #[arg(long, value_name = "N", default_value_t = 25, allow_negative_numbers = true,
           value_parser = clap::value_parser!(u16).range(1..=100))]
     pub fps: u16,
     /// Picture size in pixels [default: the scene's display].
@@ -227,7 +241,8 @@ pub struct View {
     #[arg(long, value_enum, default_value_t)]
     pub renderer: Renderer,
     /// Screen pixels a panel pixel takes [default: as fits].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+          value_parser = clap::value_parser!(u32).range(1..=16))]
     pub zoom: Option<u32>,
     /// Keys and mouse moves from a file, one a line, as if they were made in the window; for
     /// tests.
@@ -256,12 +271,17 @@ pub struct Estimate {
     /// The board; a wrong name lists them.
     #[arg(long, value_name = "NAME", value_parser = Board::find)]
     pub board: &'static Board,
-    /// Rows in a band, at most.
-    #[arg(long, value_name = "ROWS", default_value_t = 16,
+    /// Rows in a band, at most [default: 16, or as many as the board has the RAM for].
+    #[arg(long, value_name = "ROWS", allow_negative_numbers = true,
           value_parser = clap::value_parser!(u32).range(1..))]
-    pub bands: u32,
+    pub bands: Option<u32>,
     /// Frame of the animation.
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0,
+        allow_negative_numbers = true
+    )]
     pub frame: u32,
     /// The figures as JSON; - for standard output.
     #[arg(long, value_name = "FILE|-")]

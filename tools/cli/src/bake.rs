@@ -6,6 +6,7 @@ use fixel_bake::Options;
 
 /// Bakes a scene into one file.
 pub fn run(args: &args::Bake) -> Result<()> {
+    output::refuse_stdout(&args.output)?;
     let options = Options {
         rays: (args.ray || args.raster).then_some(args.ray),
         max_triangles: args.max_triangles,

@@ -27,6 +27,7 @@ Example:
 pub const ANIMATE: &str = "\
 Examples:
   fixel animate scenes/teapot.toml -o teapot.gif
+  fixel animate bunny.stl -o bunny.gif --frames 100
   fixel animate scene.toml -o frames --frames 50
   fixel animate scene.toml -o turn.png --size 160x120 --fps 30";
 
@@ -40,8 +41,14 @@ In the window, ? or F1 shows the keys. Saving the scene, or a mesh or texture of
 anew.";
 
 pub const ESTIMATE: &str = "\
-Example:
-  fixel estimate scenes/teapot.toml --board rp2040-st7789";
+Examples:
+  fixel estimate scenes/teapot.toml --board rp2040-st7789
+  fixel estimate bunny.stl --board microbit
+  fixel estimate scene.toml --board stm32l4 --display st7735-160x128 --bands 8
+
+The panel is the board's own, unless --display names another or the scene is for a display that
+the board's panel can stand for. The longest lists and highest bands are taken that the board has
+the RAM for; the figures say which.";
 
 pub const COMPLETIONS: &str = "\
 Examples:

@@ -38,6 +38,15 @@ pub fn load_on(
     screen: Option<Screen>,
     outputs: &[Option<&Path>],
 ) -> Result<Input> {
+    read(file, screen, outputs).map(tell)
+}
+
+/// The same, and says nothing.
+pub fn read(
+    file: &args::Input,
+    screen: Option<Screen>,
+    outputs: &[Option<&Path>],
+) -> Result<Input> {
     let always = std::env::var_os("FIXEL_ALLOW").unwrap_or_default();
     let mut allowed: Vec<_> = std::env::split_paths(&always).collect();
     // What an empty variable splits into.
@@ -51,11 +60,15 @@ pub fn load_on(
             .filter_map(|path| path.canonicalize().ok())
             .collect(),
     };
-    let input = Input::load(&file.scene, &files, screen)?;
+    Ok(Input::load(&file.scene, &files, screen)?)
+}
+
+/// Tells what the loader has to say on standard error.
+pub fn tell(input: Input) -> Input {
     for note in &input.notes {
         eprintln!("note: {note}");
     }
-    Ok(input)
+    input
 }
 
 /// The picture to render: the size asked for, or the display's.

@@ -12,6 +12,8 @@ mod estimate;
 mod examples;
 mod info;
 mod input;
+#[cfg(unix)]
+mod interrupt;
 mod output;
 mod progress;
 mod raster;
@@ -25,6 +27,8 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
+    #[cfg(unix)]
+    interrupt::listen();
     match run(cli.command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

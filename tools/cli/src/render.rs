@@ -30,6 +30,14 @@ pub fn run(args: &args::Render) -> Result<()> {
     let outputs = outputs(args, &picture_path);
     refuse_same_file(&outputs, &picture_path);
     let input = input::load_on(&args.input, args.screen.get(), &outputs)?;
+    let pictures = [
+        Some(&picture_path),
+        args.depth_out.as_ref(),
+        args.id_out.as_ref(),
+    ];
+    for path in pictures.into_iter().flatten() {
+        output::refuse_other_than_png(path)?;
+    }
     let options = input::options(&input.scene, &args.frame);
     let (width, height) = (options.width, options.height);
     let started = Instant::now();

@@ -65,9 +65,35 @@ fn a_baked_scene_moves_alike() {
 #[test]
 fn what_is_refused_leaves_nothing() {
     let folder = Folder::new();
-    let line = folder.fixel("animate square.obj -o a.gif").fails();
+    let still = std::fs::read_to_string(folder.path("scene.toml")).unwrap();
+    folder.write("still.toml", still.split("[animation]").next().unwrap());
+    let line = folder.fixel("animate still.toml -o a.gif").fails();
     assert!(line.contains("nothing moves"), "{line}");
     let line = folder.fixel("animate scene.toml -o a.mp4").fails();
     assert!(line.contains(".gif or .png"), "{line}");
-    assert_eq!(folder.names(), ["scene.toml", "square.obj"]);
+    assert_eq!(folder.names(), ["scene.toml", "square.obj", "still.toml"]);
+}
+
+/// About its own middle, wherever that is.
+#[test]
+fn a_bare_mesh_turns_once() {
+    let folder = Folder::new();
+    // Two plates that cross, far aside.
+    let plates = "v 40 -1 9\nv 42 -1 9\nv 42 1 9\nv 40 1 9\nf 1 2 3 4\nf 4 3 2 1\n\
+                  v 41 -1 8\nv 41 -1 10\nv 41 2 10\nv 41 2 8\nf 5 6 7 8\nf 8 7 6 5\n";
+    folder.write("plates.obj", plates);
+    folder.fixel("animate plates.obj -o film --frames 4").ok();
+    let names = folder.fixel("animate plates.obj -o all").stderr();
+    assert!(names.contains("60 frames"), "{names}");
+    folder.fixel("render plates.obj -o still.png").ok();
+    let frame = |number| read_png(folder.path(&format!("film/frame_000{number}.png"))).3;
+    assert!(frame(0) == read_png(folder.path("still.png")).3);
+    let covered = |number: u32| {
+        let words = format!("render plates.obj -o one.png --stats - --frame {number}");
+        let stats: serde_json::Value = serde_json::from_str(&folder.fixel(&words).ok()).unwrap();
+        stats["covered_px"].as_u64().unwrap()
+    };
+    assert!(frame(0) != frame(1));
+    let all: Vec<u64> = (0..60).step_by(5).map(covered).collect();
+    assert!(all.iter().all(|px| *px > 500), "{all:?}");
 }

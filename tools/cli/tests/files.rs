@@ -121,3 +121,40 @@ fn interrupted_by(signal: i32) {
     }
     assert!(interrupted > 0, "every run was done before a signal came");
 }
+
+/// Neither a half-written file nor the temporary one.
+#[test]
+fn who_is_interrupted_leaves_whole_files_alone() {
+    use std::time::Duration;
+    let folder = Folder::new();
+    for try_number in 0..12 {
+        let film = format!("film{try_number}");
+        let mut running = Command::new(env!("CARGO_BIN_EXE_fixel"))
+            .args(["animate", "scene.toml", "--frames", "100000", "-o", &film])
+            .current_dir(folder.path(""))
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let begun = Instant::now();
+        let first = folder.path(&film).join("frame_00000.png");
+        while !first.exists() {
+            assert!(begun.elapsed() < Duration::from_secs(60), "no frame");
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        std::thread::sleep(Duration::from_millis(try_number));
+        let pid = running.id().to_string();
+        assert!(
+            Command::new("kill")
+                .args(["-INT", &pid])
+                .status()
+                .unwrap()
+                .success()
+        );
+        assert_eq!(running.wait().unwrap().signal(), Some(2));
+        for entry in std::fs::read_dir(folder.path(&film)).unwrap() {
+            let path = entry.unwrap().path();
+            assert_eq!(path.extension(), Some("png".as_ref()), "{}", path.display());
+            read_png(path);
+        }
+    }
+}

@@ -35,6 +35,55 @@ fn wrong_usage_is_exit_code_2() {
 }
 
 #[test]
+fn wrong_words_are_told_with_what_is_expected() {
+    let folder = Folder::new();
+    for (words, told) in [
+        (
+            "render scene.toml -o a.jpg",
+            "a.jpg: pictures are written as PNG",
+        ),
+        (
+            "render scene.toml --depth-out a.tiff",
+            "expected a name that ends in .png",
+        ),
+        (
+            "render scene.toml --id-out a.gif",
+            "expected a name that ends in .png",
+        ),
+        ("animate scene.toml -o a.jpg", "ends in .gif or .png"),
+        ("render scene.toml -o -", "expected the name of a file"),
+        ("bake scene.toml -o -", "expected the name of a file"),
+        ("animate scene.toml -o -", "expected the name of a file"),
+    ] {
+        let line = folder.fixel(words).fails();
+        assert!(line.contains(told), "{words}: {line}");
+    }
+    for (words, told) in [
+        (
+            "render scene.toml --frame -1",
+            "-1 is not in 0..=4294967295",
+        ),
+        (
+            "animate scene.toml -o a.gif --frames -5",
+            "-5 is not in 1..=100000",
+        ),
+    ] {
+        let run = folder.fixel(words);
+        assert_eq!(run.code(), 2);
+        assert!(run.stderr().contains(told), "{words}: {}", run.stderr());
+    }
+    assert_eq!(folder.names(), ["scene.toml", "square.obj"]);
+    // Endings in capitals, and none.
+    folder
+        .fixel("render scene.toml -o A.PNG --depth-out depth")
+        .ok();
+    assert_eq!(
+        folder.names(),
+        ["A.PNG", "depth", "scene.toml", "square.obj"]
+    );
+}
+
+#[test]
 fn a_bad_scene_is_one_line_that_names_it() {
     let folder = Folder::new();
     folder.write("broken.toml", "[display]\nwidth = \"wide\"\n");
@@ -125,11 +174,31 @@ fn a_scene_is_estimated_for_a_board() {
     assert_eq!(wrong.code(), 2);
     let told = "no board is called pico; there are rp2040-st7789";
     assert!(wrong.stderr().contains(told), "{}", wrong.stderr());
+    // The scene is 8x4 in colours, which the board's panel has not.
     let text = folder.fixel("estimate scene.toml --board microbit").ok();
-    assert!(text.contains("frames a second"), "{text}");
+    for told in ["frames a second", "picture: 128x64 on SSD1306", "Scratch<"] {
+        assert!(text.contains(told), "{text}");
+    }
+    assert!(!text.contains("too many"), "{text}");
+    for (board, panel) in [
+        ("stm32l4", "picture: 8x4 on ST7789"),
+        (
+            "stm32l4 --display ssd1306-128x64",
+            "picture: 128x64 on ssd1306",
+        ),
+        ("stm32l4 --display ssd1306-128x64", "1 bits a pixel"),
+    ] {
+        let text = folder.fixel(&format!("estimate scene.toml --board {board}"));
+        assert!(text.ok().contains(panel), "{board}: {}", text.stdout());
+    }
+    // More than 64 KB with the code that is built for speed.
+    folder.write("ball.toml", "[[actor]]\nsphere = 1\n");
+    let text = folder.fixel("estimate ball.toml --board stm32f103c8").ok();
+    assert!(text.contains("opt-level = 2"), "{text}");
     let figures = folder
         .fixel("estimate scene.toml --board stm32l4 --bands 2 --json -")
         .ok();
+    assert!(figures.contains("\"band_rows\": 2,"), "{figures}");
     for field in [
         "flash_bytes",
         "ram_bytes",
@@ -184,6 +253,15 @@ fn a_scene_is_rendered_and_baked_for_a_panel() {
     let (width, height, ..) = pictures[0];
     assert_eq!((width, height), (128, 64));
     assert!(pictures.iter().all(|picture| *picture == pictures[0]));
+    // A scene for a display of colours says nothing of greys.
+    folder
+        .fixel("render scene.toml -o d.png --display ssd1306-128x64")
+        .ok();
+    folder
+        .fixel("render scene.toml -o e.png --display ssd1306-128x64 --dithering blue_noise")
+        .ok();
+    let [default, blue_noise] = ["d.png", "e.png"].map(|name| read_png(folder.path(name)));
+    assert!(default == blue_noise && default != pictures[0]);
     let refused = folder.fixel("render scene.toml --display oled");
     assert_eq!(refused.code(), 2);
     assert!(refused.stderr().contains("ssd1306-128x64"));

@@ -37,6 +37,8 @@ pub struct Cycles {
 pub struct Panel {
     /// Its name.
     pub name: &'static str,
+    /// What is on the board, by the name that scene files have for it.
+    pub screen: &'static str,
     /// What a pixel takes on the bus.
     pub bits_a_pixel: u32,
     /// Bits a second on the bus; 0: the panel reads the memory by itself.
@@ -69,9 +71,10 @@ const C3: Cycles = Cycles {
              cached; not measured",
 };
 
-const fn spi(name: &'static str, bits_a_second: u32) -> Panel {
+const fn st7789(bits_a_second: u32) -> Panel {
     Panel {
-        name,
+        name: "ST7789 on SPI",
+        screen: "st7789-320x240",
         bits_a_pixel: 16,
         bits_a_second,
         refresh_ms: 0,
@@ -86,7 +89,7 @@ const RP2040: Board = Board {
     cycles: IN_RP2040JS,
     flash_bytes: 2 << 20,
     ram_bytes: 264 << 10,
-    panel: spi("ST7789 on SPI", 62_500_000),
+    panel: st7789(62_500_000),
 };
 
 /// All of them.
@@ -97,6 +100,7 @@ pub const BOARDS: [Board; 10] = [
         what: "Raspberry Pi Pico with an SSD1306",
         panel: Panel {
             name: "SSD1306 on SPI",
+            screen: "ssd1306-128x64",
             bits_a_pixel: 1,
             bits_a_second: 8_000_000,
             refresh_ms: 0,
@@ -108,6 +112,7 @@ pub const BOARDS: [Board; 10] = [
         what: "Raspberry Pi Pico with an SSD1680, e-paper",
         panel: Panel {
             name: "SSD1680 on SPI",
+            screen: "ssd1680-296x128",
             bits_a_pixel: 1,
             bits_a_second: 4_000_000,
             refresh_ms: 300,
@@ -124,6 +129,7 @@ pub const BOARDS: [Board; 10] = [
         ram_bytes: 16 << 10,
         panel: Panel {
             name: "SSD1306 on SPI",
+            screen: "ssd1306-128x64",
             bits_a_pixel: 1,
             bits_a_second: 8_000_000,
             refresh_ms: 0,
@@ -139,7 +145,7 @@ pub const BOARDS: [Board; 10] = [
         cycles: M3,
         flash_bytes: 64 << 10,
         ram_bytes: 20 << 10,
-        panel: spi("ST7789 on SPI", 36_000_000),
+        panel: st7789(36_000_000),
     },
     Board {
         name: "stm32f405",
@@ -149,7 +155,7 @@ pub const BOARDS: [Board; 10] = [
         cycles: M4,
         flash_bytes: 1 << 20,
         ram_bytes: 128 << 10,
-        panel: spi("ST7789 on SPI", 42_000_000),
+        panel: st7789(42_000_000),
     },
     Board {
         name: "stm32l4",
@@ -159,7 +165,7 @@ pub const BOARDS: [Board; 10] = [
         cycles: M4,
         flash_bytes: 1 << 20,
         ram_bytes: 96 << 10,
-        panel: spi("ST7789 on SPI", 40_000_000),
+        panel: st7789(40_000_000),
     },
     Board {
         name: "nrf52840",
@@ -169,7 +175,7 @@ pub const BOARDS: [Board; 10] = [
         cycles: M4,
         flash_bytes: 1 << 20,
         ram_bytes: 256 << 10,
-        panel: spi("ST7789 on SPI", 32_000_000),
+        panel: st7789(32_000_000),
     },
     Board {
         name: "esp32c3",
@@ -179,7 +185,7 @@ pub const BOARDS: [Board; 10] = [
         cycles: C3,
         flash_bytes: 4 << 20,
         ram_bytes: 400 << 10,
-        panel: spi("ST7789 on SPI", 80_000_000),
+        panel: st7789(80_000_000),
     },
     Board {
         name: "gba",
@@ -195,6 +201,7 @@ pub const BOARDS: [Board; 10] = [
         ram_bytes: 288 << 10,
         panel: Panel {
             name: "its own, which reads the memory by itself",
+            screen: "gba-240x160",
             bits_a_pixel: 8,
             bits_a_second: 0,
             refresh_ms: 0,
@@ -209,6 +216,7 @@ impl Board {
         let panel = match panel.feed {
             Feed::Memory { .. } => Panel {
                 name: panel.name,
+                screen: panel.name,
                 ..self.panel
             },
             Feed::Serial { hz, settle_ms, .. } => {
@@ -225,6 +233,7 @@ impl Board {
                 let pixels = f64::from(panel.width * panel.height * bits_a_pixel);
                 Panel {
                     name: panel.name,
+                    screen: panel.name,
                     bits_a_pixel,
                     bits_a_second: (hz * pixels / f64::from(panel.frame_bits())).round() as u32,
                     refresh_ms: settle_ms,
@@ -232,6 +241,22 @@ impl Board {
             }
         };
         Self { panel, ..*self }
+    }
+
+    /// The board's own panel, if a scene for such a display does not show on it as it is:
+    /// because it is larger, or in colours that the panel has not.
+    pub fn instead_of(
+        &self,
+        (width, height): (u32, u32),
+        colour: ColourFormat,
+    ) -> Option<&'static fixel_scene::Panel> {
+        let panel = fixel_scene::Panel::named(self.panel.screen)?;
+        let sorted = |width: u32, height: u32| [width.min(height), width.max(height)];
+        let [short, long] = sorted(panel.width, panel.height);
+        let [least, most] = sorted(width, height);
+        // What has colours shows greys too.
+        let colours = colour == panel.colour || panel.colour == ColourFormat::Rgb565;
+        (least > short || most > long || !colours).then_some(panel)
     }
 
     /// The board of that name; the error names those that there are.
@@ -252,6 +277,35 @@ impl Board {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_scene_that_does_not_show_gets_the_boards_own_panel() {
+        let instead = |board: &str, panel: &str| {
+            let panel = fixel_scene::Panel::named(panel).expect("a panel");
+            let board = Board::find(board).expect("a board");
+            let instead = board.instead_of((panel.width, panel.height), panel.colour);
+            instead.map(|panel| panel.name)
+        };
+        for board in &BOARDS {
+            assert_eq!(
+                instead(board.name, board.panel.screen),
+                None,
+                "{}",
+                board.name
+            );
+        }
+        assert_eq!(instead("stm32l4", "st7789-240x320"), None);
+        assert_eq!(instead("stm32l4", "ssd1306-128x64"), None);
+        assert_eq!(instead("stm32l4", "sharp-400x240"), Some("st7789-320x240"));
+        assert_eq!(
+            instead("microbit", "st7735-160x128"),
+            Some("ssd1306-128x64")
+        );
+        assert_eq!(
+            instead("microbit", "sh1107-128x128"),
+            Some("ssd1306-128x64")
+        );
+    }
 
     #[test]
     fn the_slower_of_board_and_panel_sets_the_rate() {

@@ -12,7 +12,6 @@ use fixel::render::{Ids, Paint};
 use fixel::shade::{Blend, Lighting, Pixel};
 use fixel::vertex::ScreenVertex;
 
-use crate::capacity::ACTORS;
 use crate::kernel::{AtVertices, Kernel, Surface, Way};
 use crate::seen::{Front, Seen};
 use crate::span::{self, LONGEST_RUN_PX, RunPx};
@@ -40,11 +39,12 @@ pub(crate) struct Counter {
     front: Front,
     last_meshlet: Option<(u16, u32)>,
     /// Actors whose matrices are kept.
-    kept: [Option<u16>; ACTORS],
+    kept: Vec<Option<u16>>,
 }
 
 impl Counter {
-    pub fn new(scene: &Scene<'_>, perspective: bool) -> Self {
+    /// For a renderer that keeps the matrices of so many actors.
+    pub fn new(scene: &Scene<'_>, perspective: bool, actors: usize) -> Self {
         let mut meshlets = vec![0; scene.triangle_count()];
         for number in 0..scene.meshlet_count() as u32 {
             let Some(meshlet) = scene.meshlet(number) else {
@@ -64,7 +64,7 @@ impl Counter {
             perspective,
             front: Front::default(),
             last_meshlet: None,
-            kept: [None; ACTORS],
+            kept: vec![None; actors],
         }
     }
 
@@ -105,7 +105,8 @@ impl Counter {
 
     /// An actor's matrices are asked for.
     pub fn matrices(&mut self, actor: u16) {
-        let kept = &mut self.kept[usize::from(actor) % ACTORS];
+        let slots = self.kept.len();
+        let kept = &mut self.kept[usize::from(actor) % slots];
         if *kept != Some(actor) {
             *kept = Some(actor);
             self.add(Term::ActorView, 1.0);

@@ -1,13 +1,11 @@
 //! A scene on a board: memory, and time.
 
 use fixel::Scene;
-use fixel::palette::Rgb565Table;
-use fixel::render::Scratch;
 use fixel::scene::Pose;
 
 use crate::board::Board;
-use crate::capacity::{ACTORS, MESHLETS, SLOTS};
-use crate::frame::work;
+use crate::frame::work_with;
+use crate::layout::{Layout, Ram, Wire};
 use crate::model::Model;
 use crate::parts::Parts;
 
@@ -20,16 +18,10 @@ pub struct Estimate {
     pub code_bytes: u64,
     /// The scene, in bytes of flash.
     pub scene_bytes: u64,
-    /// Rows of a band.
-    pub band_rows: u16,
-    /// Indices (or colours) and depths of a band.
-    pub band_bytes: u64,
-    /// Two bands as the panel takes them, of which one is sent while the other is made.
-    pub bus_bytes: u64,
-    /// The renderer's working memory and the panel's colours.
-    pub scratch_bytes: u64,
-    /// The stack at its deepest.
-    pub stack_bytes: u64,
+    /// How RAM is shared out.
+    pub layout: Layout,
+    /// Into what.
+    pub ram: Ram,
     /// Instructions of a frame, up to RGB565.
     pub instructions: f64,
     /// Seconds that they take.
@@ -41,51 +33,58 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// Of one frame, as `pose` has it, in bands of at most `band_rows` rows. `None` if nothing
-    /// was counted for the board.
+    /// Of one frame, as `pose` has it, by the roomiest program that the board has the RAM
+    /// for, in bands of `band_rows` rows if that is given. `None` if nothing was counted for
+    /// the board.
+    pub fn fitting(
+        model: &Model,
+        board: &Board,
+        scene: &Scene<'_>,
+        (pose, band_rows): (&Pose<'_>, Option<u16>),
+        scene_bytes: u64,
+    ) -> Option<Self> {
+        let firmware = model.firmware.get(board.target)?.get(&Parts::of(scene))?;
+        let layout = Layout::fitting(board, scene, firmware, band_rows);
+        Self::new(model, board, scene, (pose, layout), scene_bytes)
+    }
+
+    /// The same by a program that shares out its RAM so, whether or not the board has it.
     pub fn new(
         model: &Model,
         board: &Board,
         scene: &Scene<'_>,
-        (pose, band_rows): (&Pose<'_>, u16),
+        (pose, layout): (&Pose<'_>, Layout),
         scene_bytes: u64,
     ) -> Option<Self> {
         let parts = Parts::of(scene);
         let firmware = model.firmware.get(board.target)?.get(&parts)?;
-        let instructions = model.instructions(board.target, &work(scene, pose, band_rows))?;
-        let (columns, rows) = (scene.frame_width(), scene.frame_height());
-        let band_rows = band_rows.clamp(1, rows.max(1));
-        let band_px = u64::from(columns) * u64::from(band_rows);
-        let own = if scene.is_direct() { 2 } else { 1 };
-        let shown_px = u64::from(scene.width()) * u64::from(band_rows);
-        let bits = u64::from(board.panel.bits_a_pixel);
-        let on_bus = board.panel.bits_a_second > 0;
+        let layout = Layout {
+            band_rows: layout.rows(scene),
+            ..layout
+        };
+        let work = work_with(layout.lists, scene, pose, layout.band_rows);
+        let instructions = model.instructions(board.target, &work)?;
+        let bits = f64::from(board.panel.bits_a_pixel);
         let drawing_s = instructions * board.cycles.each / f64::from(board.clock_hz);
         let all_px = f64::from(scene.width()) * f64::from(scene.height());
-        let sending_s = if on_bus {
-            all_px * bits as f64 / f64::from(board.panel.bits_a_second)
-        } else {
-            0.0
+        let sending_s = match board.panel.bits_a_second {
+            0 => 0.0,
+            speed => all_px * bits / f64::from(speed),
         };
-        let bands = f64::from(rows.div_ceil(band_rows));
+        let bands = f64::from(scene.frame_height().div_ceil(layout.band_rows));
         // The first band is drawn while nothing is sent, the last one sent while nothing is
         // drawn, or the other way round.
-        let both = drawing_s.max(sending_s) + drawing_s.min(sending_s) / bands;
+        let both = match layout.wire {
+            Wire::Bands => drawing_s.max(sending_s) + drawing_s.min(sending_s) / bands,
+            Wire::Rows => drawing_s + sending_s,
+        };
         let seconds = both + f64::from(board.panel.refresh_ms) / 1e3;
         Some(Self {
             parts,
             code_bytes: firmware.code_bytes,
             scene_bytes,
-            band_rows,
-            band_bytes: band_px * (own + 2),
-            bus_bytes: if on_bus {
-                2 * (shown_px * bits).div_ceil(8)
-            } else {
-                0
-            },
-            scratch_bytes: (size_of::<Scratch<MESHLETS, SLOTS, ACTORS>>()
-                + size_of::<Rgb565Table>()) as u64,
-            stack_bytes: firmware.stack_bytes,
+            layout,
+            ram: layout.ram(board, scene, firmware),
             instructions,
             drawing_s,
             sending_s,
@@ -105,6 +104,6 @@ impl Estimate {
 
     /// Bytes of RAM.
     pub fn ram_bytes(&self) -> u64 {
-        self.band_bytes + self.bus_bytes + self.scratch_bytes + self.stack_bytes
+        self.ram.sum()
     }
 }

@@ -4,28 +4,48 @@
 use std::cell::RefCell;
 
 use fixel::frame::BandRows;
-use fixel::render::{Bands, Direct, FrameStats, Paint, Scratch, Shaded};
+use fixel::render::{Bands, Direct, FrameStats, Paint, Scratch, Shaded, Workspace};
 use fixel::scene::{Pose, Projection, Representation};
 use fixel::{Band, Scene};
 
-use crate::capacity::{ACTORS, MESHLETS, SLOTS};
+use crate::capacity::Lists;
 use crate::counting::{Counter, Counting};
 use crate::term::{Term, Work};
 
 /// The work of a frame of a scene, as `pose` has it, drawn by triangles as large as the scene says in bands
-/// of at most so many rows.
+/// of at most so many rows, by the measured firmware.
 pub fn work(scene: &Scene<'_>, pose: &Pose<'_>, band_rows: u16) -> Work {
+    work_with(Lists::Usual, scene, pose, band_rows)
+}
+
+/// The same by a renderer with such lists.
+pub(crate) fn work_with(lists: Lists, scene: &Scene<'_>, pose: &Pose<'_>, band_rows: u16) -> Work {
+    match lists {
+        Lists::Usual => of::<64, 10, 4>(scene, pose, band_rows),
+        Lists::Short => of::<32, 4, 2>(scene, pose, band_rows),
+        Lists::Shortest => of::<32, 2, 1>(scene, pose, band_rows),
+    }
+}
+
+fn of<const MESHLETS: usize, const SLOTS: usize, const ACTORS: usize>(
+    scene: &Scene<'_>,
+    pose: &Pose<'_>,
+    band_rows: u16,
+) -> Work {
+    let mut scratch = Box::new(Scratch::<MESHLETS, SLOTS, ACTORS>::new());
+    let mut workspace = scratch.workspace();
+    let lists = (&mut workspace, [MESHLETS, ACTORS]);
     let paint = Shaded {
         dither: scene.dither(),
     };
     match Direct::new(scene, scene.dither()) {
-        Some(direct) => draw(&direct, scene, pose, band_rows, |counter, rows| {
+        Some(direct) => draw(&direct, scene, pose, band_rows, lists, |counter, rows| {
             counter.add(Term::DirectPx, rows.indices.len() as f64);
         }),
         None => {
             let mut before = None;
             let resolved = scene.output().is_resolved();
-            draw(&paint, scene, pose, band_rows, |work, rows| {
+            draw(&paint, scene, pose, band_rows, lists, |work, rows| {
                 if resolved {
                     work.add(Term::SamplePx, rows.indices.len() as f64);
                     return;
@@ -50,6 +70,7 @@ fn draw<P: Paint>(
     scene: &Scene<'_>,
     pose: &Pose<'_>,
     band_rows: u16,
+    (workspace, [meshlets, actors]): (&mut Workspace<'_>, [usize; 2]),
     mut finished: impl FnMut(&mut Work, BandRows<'_, P::Stored>),
 ) -> Work
 where
@@ -58,7 +79,7 @@ where
     let (width, height) = (scene.frame_width(), scene.frame_height());
     let first = scene.place_viewport(0, pose, width, height);
     let perspective = matches!(first.camera.projection, Projection::Perspective { .. });
-    let counter = RefCell::new(Counter::new(scene, perspective));
+    let counter = RefCell::new(Counter::new(scene, perspective, actors));
     let counting = Counting {
         paint: *paint,
         counter: &counter,
@@ -67,12 +88,10 @@ where
     let pixels = usize::from(width.max(1)) * usize::from(rows);
     let mut indices = vec![P::Stored::default(); pixels];
     let mut depths = vec![0; pixels];
-    let mut scratch = Box::new(Scratch::<MESHLETS, SLOTS, ACTORS>::new());
-    let mut work = scratch.workspace();
     let Ok(mut band) = Band::new(width, &mut indices, &mut depths) else {
         return Work::default();
     };
-    let mut bands = Bands::with(counting, scene, pose, &mut work, &mut band, 0..height);
+    let mut bands = Bands::with(counting, scene, pose, workspace, &mut band, 0..height);
     let mut shown = Work::default();
     while let Some(rows) = bands.next() {
         finished(&mut shown, rows);
@@ -104,7 +123,7 @@ where
     work.add(Term::MarkPx, f64::from(stats.marks) * mark_px(scene));
     let fills = f64::from(stats.list_refills + 1);
     let listed = stats.meshlets - stats.meshlets_outside - stats.meshlets_away;
-    let displaced = (f64::from(listed) / fills - MESHLETS as f64).max(0.0) * fills;
+    let displaced = (f64::from(listed) / fills - meshlets as f64).max(0.0) * fills;
     work.add(Term::MeshletListed, f64::from(listed));
     work.add(Term::MeshletDisplaced, displaced);
     work

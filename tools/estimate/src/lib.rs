@@ -12,6 +12,7 @@ mod counting;
 mod estimate;
 mod frame;
 mod kernel;
+mod layout;
 mod model;
 mod parts;
 mod seen;
@@ -20,8 +21,10 @@ mod span;
 mod term;
 
 pub use board::{BOARDS, Board, Cycles, Panel};
+pub use capacity::Lists;
 pub use estimate::Estimate;
 pub use frame::work;
+pub use layout::{Layout, Ram, Wire};
 pub use model::{Count, Firmware, Model};
 pub use parts::Parts;
 pub use solve::non_negative;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use fixel_estimate::{BOARDS, Board, Estimate, Model, Parts};
+use fixel_estimate::{BOARDS, Board, Estimate, Layout, Lists, Model, Parts, Wire};
 
 /// How far off an estimate may be, in percent.
 const MOST_PERCENT: f64 = 15.0;
@@ -59,7 +59,8 @@ fn every_board_can_be_estimated() {
     let pose = scene.pose(0);
     for board in &BOARDS {
         let bytes = baked.bytes().len() as u64;
-        let estimate = Estimate::new(&model, board, &scene, (&pose, 16), bytes).unwrap();
+        let layout = Layout::ROOMY;
+        let estimate = Estimate::new(&model, board, &scene, (&pose, layout), bytes).unwrap();
         assert_eq!(estimate.parts, Parts::Flat, "{}", board.name);
         assert!(estimate.frames_a_second > 0.5, "{}", board.name);
         assert!(estimate.flash_bytes() > bytes && estimate.ram_bytes() > 10_000);
@@ -70,4 +71,37 @@ fn every_board_can_be_estimated() {
     }
     let unknown = Board::find("pico").unwrap_err();
     assert!(unknown.contains("rp2040-st7789"), "{unknown}");
+}
+
+/// Demos of this repository that run in so little.
+#[test]
+fn a_small_board_gets_what_its_ram_holds() {
+    let model = Model::fitted().unwrap();
+    let fitted = |board: &str, scene: &str, panel: &str, rows| {
+        let board = Board::find(board).unwrap();
+        let panel = *fixel_scene::Panel::named(panel).unwrap();
+        let screen = fixel_scene::Screen {
+            panel,
+            dithering: None,
+        };
+        let baked = baked(scene).on(&screen).unwrap();
+        let scene = baked.scene().unwrap();
+        let (pose, bytes) = (scene.pose(0), baked.bytes().len() as u64);
+        let estimate = Estimate::fitting(&model, board, &scene, (&pose, rows), bytes).unwrap();
+        let fits = estimate.ram_bytes() <= board.ram_bytes;
+        (fits, estimate)
+    };
+    let (fits, roomy) = fitted("rp2040-st7789", "teapot", "st7789-320x240", None);
+    assert!(fits && roomy.layout == Layout::ROOMY, "{roomy:?}");
+    let (fits, microbit) = fitted("microbit", "teapot_128x64", "ssd1306-128x64", None);
+    assert!(fits && microbit.ram_bytes() > 8 << 10, "{microbit:?}");
+    let (fits, pill) = fitted("stm32f103c8", "teapot", "st7789-320x240", None);
+    assert!(fits && pill.layout.wire == Wire::Rows, "{pill:?}");
+    // Less room is not faster.
+    let (_, same) = fitted("stm32f405", "teapot", "st7789-320x240", None);
+    assert!(pill.instructions > same.instructions);
+    // Rows that were asked for stay, though they do not fit.
+    let (fits, tall) = fitted("microbit", "teapot", "st7789-320x240", Some(60));
+    assert!(!fits && tall.layout.band_rows == 60, "{tall:?}");
+    assert_eq!(tall.layout.lists, Lists::Shortest);
 }

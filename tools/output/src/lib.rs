@@ -3,6 +3,7 @@
 //! `fixel` command, its window and `cargo xtask`.
 
 mod picture;
+mod stop;
 
 use std::ffi::OsString;
 use std::fmt;
@@ -11,6 +12,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 pub use picture::{png_grey16, png_rgb};
+pub use stop::stop;
 
 /// Why a file could not be written.
 #[derive(Debug)]
@@ -36,7 +38,7 @@ impl From<Error> for String {
 }
 
 /// Writes a file by way of a temporary one in the same folder, so that no one ever sees
-/// a part of it, whatever ends the program. What is there and no plain file (such as
+/// a part of it, whatever ends the program ([`stop()`] takes the temporary one away). What is there and no plain file (such as
 /// `/dev/null`) is written to as it is; a link keeps pointing at its target, and a file
 /// that is replaced keeps its permissions.
 ///
@@ -59,6 +61,7 @@ fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
         None => path.to_owned(),
     };
     let temporary = temporary(&target).ok_or(io::ErrorKind::InvalidInput)?;
+    stop::begin(&temporary)?;
     let written = File::create(&temporary)
         .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()))
         .and_then(|()| match there {
@@ -70,6 +73,7 @@ fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
         // The first error is the one to tell.
         let _ = fs::remove_file(&temporary);
     }
+    stop::end(&temporary);
     written
 }
 

@@ -1,5 +1,5 @@
 //! A bare mesh as a scene of its own: seen from its right and above, lit
-//! from the upper left.
+//! from the upper left, on a turntable.
 
 use glam::DVec3;
 
@@ -19,6 +19,8 @@ const AZIMUTH: f64 = 30.0;
 const ELEVATION: f64 = 20.0;
 /// As VTK's.
 const VIEW_ANGLE: f64 = 30.0;
+/// Frames of a turn about the mesh's own middle.
+const TURNTABLE: u32 = 60;
 /// A dark blue, against which any mesh colour stands out.
 const BACKGROUND: [u8; 3] = [0x18, 0x20, 0x2c];
 
@@ -63,13 +65,20 @@ pub(crate) fn scene(
         Some(screen) => screen.of(display),
         None => display,
     };
+    // The sphere holds the mesh however it is turned about its middle.
     let bounds = Bounds::of(&actors, &meshes, &Animation::default());
+    actors[0].origin = bounds.centre();
+    let animation = Animation {
+        turntable: Some(TURNTABLE),
+        ..Animation::default()
+    };
     let (sin, cos) = libm::sincos(AZIMUTH.to_radians());
     let (up, along) = libm::sincos(ELEVATION.to_radians());
     let from = DVec3::new(sin * along, up, cos * along);
     let aspect = f64::from(display.width) / f64::from(display.height);
     let mut camera = framing::frame(&bounds, from, VIEW_ANGLE, aspect);
-    camera.clipping_range = framing::clipping_range(&[camera], &bounds);
+    let turned = Bounds::of(&actors, &meshes, &animation);
+    camera.clipping_range = framing::clipping_range(&[camera], &turned);
     let right = DVec3::Y.cross(from).normalize();
     let above = from.cross(right);
     Ok(Scene {
@@ -90,12 +99,13 @@ pub(crate) fn scene(
         meshes,
         actors,
         fog: None,
-        animation: Animation::default(),
+        animation,
         palette: Palette::default(),
         lod: None,
         ray: Ray::default(),
         source: Source {
             file: origin.path.to_owned(),
+            bare: true,
             ..Source::default()
         },
     })

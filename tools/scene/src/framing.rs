@@ -65,6 +65,11 @@ impl Bounds {
         }
     }
 
+    /// The middle of them all.
+    pub fn centre(&self) -> [f64; 3] {
+        self.centre.into()
+    }
+
     /// A sphere around each actor at all frames.
     pub fn spheres(&self) -> &[(DVec3, f64)] {
         &self.spheres

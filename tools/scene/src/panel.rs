@@ -132,6 +132,7 @@ pub const PANELS: &[Panel] = &[
     mono("ssd1306-128x64", 128, 64, (10 * MHZ, 0, 0)),
     mono("sh1107-128x128", 128, 128, (4 * MHZ, 0, 0)),
     mono("uc8151-296x128", 296, 128, (10 * MHZ, 0, 300)),
+    mono("ssd1680-296x128", 296, 128, (20 * MHZ, 0, 300)),
     mono("ssd1681-200x200", 200, 200, (20 * MHZ, 0, 300)),
     mono("sharp-400x240", 400, 240, (2 * MHZ, 16, 0)),
     Panel {
@@ -157,16 +158,22 @@ pub const DITHERINGS: &[(&str, PanelDithering)] = &[
 pub struct Screen {
     /// The panel.
     pub panel: Panel,
-    /// How it shows greys between its own; without, as the scene says. Nothing to a panel
-    /// of more than 16 greys.
+    /// How it shows greys between its own; without, as the scene says, or by blue noise if
+    /// its display is no such panel. Nothing to a panel of more than 16 greys.
     pub dithering: Option<PanelDithering>,
 }
 
 impl Screen {
-    /// How the panel is dithered, where the scene says `otherwise`.
-    pub fn dithering(&self, otherwise: PanelDithering) -> PanelDithering {
+    /// How the panel is dithered, of a scene for a display of this colour, dithered so.
+    pub fn dithering(&self, colour: ColourFormat, own: PanelDithering) -> PanelDithering {
+        // A colour display is not dithered, so the scene says nothing of it: without, dim
+        // things would be black altogether.
+        let own = match colour.is_dithered() {
+            true => own,
+            false => PanelDithering::BlueNoise,
+        };
         if self.panel.colour.is_dithered() {
-            self.dithering.unwrap_or(otherwise)
+            self.dithering.unwrap_or(own)
         } else {
             PanelDithering::None
         }
@@ -178,7 +185,7 @@ impl Screen {
             width: self.panel.width,
             height: self.panel.height,
             colour: self.panel.colour,
-            dithering: self.dithering(display.dithering),
+            dithering: self.dithering(display.colour, display.dithering),
             ..display
         }
     }
@@ -229,6 +236,25 @@ mod tests {
         assert!((rate("sharp-400x240") - 20.03).abs() < 0.01);
         assert!((rate("gba-240x160") - 59.727).abs() < 1e-9);
         assert!((rate("ssd1681-200x200") - 3.31).abs() < 0.01);
+    }
+
+    #[test]
+    fn dithering_is_what_was_asked_for_or_the_scene_says_or_suits_the_panel() {
+        use ColourFormat::{Gray4, Mono, Rgb565};
+        use PanelDithering::{Bayer4, BlueNoise, None as Not};
+        let on = |name, asked, colour, own| {
+            let panel = *Panel::named(name).unwrap();
+            let screen = Screen {
+                panel,
+                dithering: asked,
+            };
+            screen.dithering(colour, own)
+        };
+        assert_eq!(on("ssd1306-128x64", None, Rgb565, Not), BlueNoise);
+        assert_eq!(on("ssd1306-128x64", None, Mono, Not), Not);
+        assert_eq!(on("ssd1306-128x64", None, Gray4, Bayer4), Bayer4);
+        assert_eq!(on("ssd1306-128x64", Some(Not), Rgb565, Not), Not);
+        assert_eq!(on("st7789-240x240", Some(Bayer4), Mono, Bayer4), Not);
     }
 
     #[test]

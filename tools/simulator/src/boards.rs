@@ -1,7 +1,7 @@
 //! Boards that panels hang on: those that there are estimates for, whatever panel these
 //! name.
 
-use fixel_estimate::{BOARDS, Board, Estimate, Model};
+use fixel_estimate::{BOARDS, Board, Estimate, Layout, Model};
 use fixel_scene::Panel;
 use serde_json::{Value, json};
 
@@ -55,7 +55,12 @@ pub(crate) fn estimate(
     let board = Board::find(name)?.showing(panel);
     let model = Model::fitted().map_err(|error| error.to_string())?;
     let pose = scene.pose(number);
-    let asked = (&pose, band_rows);
+    // As the snippet has it.
+    let layout = Layout {
+        band_rows,
+        ..Layout::ROOMY
+    };
+    let asked = (&pose, layout);
     let estimate = Estimate::new(&model, &board, scene, asked, scene_bytes as u64);
     let Some(e) = estimate.filter(|_| !scene.has_rays()) else {
         return Ok(Value::Null);
@@ -64,10 +69,10 @@ pub(crate) fn estimate(
         "code_bytes": e.code_bytes,
         "flash_bytes": e.flash_bytes(),
         "ram_bytes": e.ram_bytes(),
-        "band_bytes": e.band_bytes,
-        "bus_bytes": e.bus_bytes,
-        "scratch_bytes": e.scratch_bytes,
-        "stack_bytes": e.stack_bytes,
+        "band_bytes": e.ram.band,
+        "bus_bytes": e.ram.bus,
+        "scratch_bytes": e.ram.scratch,
+        "stack_bytes": e.ram.stack,
         "instructions": e.instructions,
         "drawing_s": e.drawing_s,
         "frames_a_second": e.frames_a_second.min(1.0 / panel.frame_seconds()),

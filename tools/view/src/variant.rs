@@ -78,7 +78,7 @@ impl Variant {
                 actor.look.representation = representation;
             }
         }
-        match self.screen(&scene.display) {
+        match self.screen() {
             Some(screen) => screen.apply(scene),
             None => scene.display = self.display(&scene.display),
         }
@@ -95,28 +95,21 @@ impl Variant {
         }
     }
 
-    /// The panel instead of a display. Where neither user nor file say how it dithers, a
-    /// pattern that suits every panel.
-    fn screen(&self, display: &Display) -> Option<Screen> {
+    /// The panel instead of the file's display.
+    fn screen(&self) -> Option<Screen> {
         let panel = *self.panel.and_then(|panel| PANELS.get(panel))?;
-        let own = match display.dithering {
-            PanelDithering::None => PanelDithering::BlueNoise,
-            own => own,
-        };
-        Some(Screen {
-            panel,
-            dithering: Some(self.dithering.unwrap_or(own)),
-        })
+        let dithering = self.dithering;
+        Some(Screen { panel, dithering })
     }
 
     /// Size, colour and dithering of what shows this.
     pub fn display(&self, display: &Display) -> Display {
         let mut shown = display.clone();
-        match self.screen(display) {
+        match self.screen() {
             Some(screen) => {
                 (shown.width, shown.height) = (screen.panel.width, screen.panel.height);
                 shown.colour = screen.panel.colour;
-                shown.dithering = screen.dithering(display.dithering);
+                shown.dithering = screen.dithering(display.colour, display.dithering);
             }
             None if shown.colour.is_dithered() => {
                 shown.dithering = self.dithering.unwrap_or(shown.dithering);

@@ -32,7 +32,11 @@ const SCROLL: f64 = 60.0;
 /// If there is no display, or a script's picture cannot be written.
 pub fn run(start: Start) -> Result<(), String> {
     let no_display = |error: &dyn std::fmt::Display| {
-        format!("no window can be opened: {error}; expected a display (X11 or Wayland on Linux)")
+        let why = reason(&error.to_string());
+        format!(
+            "no window can be opened: {why}; expected a display (X11 or Wayland on Linux), \
+             or fixel render, which needs none"
+        )
     };
     let events = EventLoop::<Reply>::with_user_event().build();
     let events = events.map_err(|error| no_display(&error))?;
@@ -55,6 +59,14 @@ pub fn run(start: Start) -> Result<(), String> {
     let ran = events.run_app(&mut app);
     ran.map_err(|error| no_display(&error))?;
     app.problem.map_or(Ok(()), Err)
+}
+
+/// What winit says, without the place in its own source.
+fn reason(error: &str) -> String {
+    let place = error.strip_prefix("os error at ");
+    let why = place.and_then(|place| place.split_once(": "));
+    let why = why.map_or(error, |(_, why)| why);
+    why.trim_end_matches('.').to_owned()
 }
 
 type Pixels = Surface<OwnedDisplayHandle, Rc<Window>>;
@@ -249,4 +261,16 @@ fn key(key: &WindowKey) -> Option<Key> {
         WindowKey::Named(NamedKey::F1) => Key::F1,
         _ => return None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_reason_names_no_source_file() {
+        let said = "os error at /a b/winit-0.30/src/mod.rs:765: neither DISPLAY nor X: is set.";
+        assert_eq!(reason(said), "neither DISPLAY nor X: is set");
+        assert_eq!(reason("no such thing"), "no such thing");
+    }
 }

@@ -11,7 +11,7 @@ use crate::report::Tally;
 use crate::{child, paths, test, toolchain};
 
 /// Those of the workspace that are for this repository alone.
-const PRIVATE: [&str; 3] = ["fixel-simulator", "fixel-tests", "xtask"];
+const PRIVATE: [&str; 4] = ["fixel-simulator", "fixel-start", "fixel-tests", "xtask"];
 /// The least version of the compiler, as the manifests say.
 const OLDEST: &str = concat!(env!("CARGO_PKG_RUST_VERSION"), ".0");
 /// Largest package, in bytes: one that takes scenes or pictures along is larger.

@@ -28,6 +28,8 @@ pub enum Element {
 pub struct Source {
     /// Its file; empty if it has none.
     pub file: PathBuf,
+    /// Whether that is a mesh, which says nothing of how it is seen and moves.
+    pub bare: bool,
     /// The line, from 1, at which each table begins.
     pub lines: HashMap<Element, usize>,
 }

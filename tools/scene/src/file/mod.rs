@@ -152,6 +152,7 @@ pub(crate) fn parse(
         lod,
         ray,
         source: crate::description::Source {
+            bare: false,
             file: origin.path.to_owned(),
             lines: lines(&root)?,
         },

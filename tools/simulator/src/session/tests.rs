@@ -38,6 +38,9 @@ fn a_mesh_is_baked_drawn_and_handed_over() {
     );
     assert_eq!(drawn.bytes.len(), 240 * 240 * 4);
     assert!(stats["covered_px"].as_u64() > Some(1000));
+    // It turns, so that one sees how fast a board is.
+    let later = frame(&mut session, json!({ "number": 5 }));
+    assert_ne!(later.bytes, drawn.bytes);
     let blob = session.call(5, &[]);
     assert_eq!(facts["blob_bytes"], blob.bytes.len());
 

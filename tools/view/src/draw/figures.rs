@@ -5,7 +5,6 @@ use std::time::Duration;
 use fixel_estimate::{Estimate, Model};
 use fixel_host::{Options, Planes};
 
-use crate::state::BAND_ROWS;
 use crate::variant::Job;
 
 /// Of a frame by triangles.
@@ -45,9 +44,9 @@ pub(super) fn estimate(
 ) -> Option<String> {
     let model = Model::fitted().ok()?;
     let pose = options.pose(core);
-    let asked = (&pose, BAND_ROWS as u16);
+    let asked = (&pose, None);
     let board = job.board();
-    let e = Estimate::new(&model, &board, core, asked, bytes as u64)?;
+    let e = Estimate::fitting(&model, &board, core, asked, bytes as u64)?;
     Some(format!(
         "{}: about {:.2} M instructions, {:.1} frames/s, {} KB of RAM{}",
         board.name,
