@@ -53,7 +53,7 @@ pub fn load_on(
     };
     let input = Input::load(&file.scene, &files, screen)?;
     for note in &input.notes {
-        eprintln!("note: {note}");
+        eprintln!("note: {}", fixel_scene::one_line(note));
     }
     Ok(input)
 }
