@@ -111,11 +111,11 @@ fn some_of(time: Duration) -> Duration {
 fn interrupted(folder: &Folder, words: &str, out: &str, signal: i32) {
     let begun = Instant::now();
     folder.fixel(words).ok();
-    let took = begun.elapsed();
+    let mut took = begun.elapsed();
     let whole = std::fs::read(folder.path(out)).unwrap();
     let mut interrupted = 0;
-    for _ in 0..8 {
-        let delay = some_of(took + took / 5);
+    for _ in 0..10 {
+        let delay = some_of(took);
         folder.write(out, "old");
         let mut child = Command::new(env!("CARGO_BIN_EXE_fixel"))
             .current_dir(folder.path(""))
@@ -132,6 +132,8 @@ fn interrupted(folder: &Folder, words: &str, out: &str, signal: i32) {
         let found = std::fs::read(folder.path(out)).unwrap();
         if status.success() {
             assert!(found == whole, "{words}: after {delay:?}");
+            // It takes less than it did the first time.
+            took = took * 3 / 4;
         } else {
             assert_eq!(status.signal(), Some(signal));
             interrupted += 1;
