@@ -91,7 +91,8 @@ pub fn run(tally: &mut Tally) {
 /// `cargo deny` in a workspace, and what it says if it fails.
 fn deny(folder: &str, words: &[&str]) -> std::result::Result<(), String> {
     let manifest = paths::root().join(folder).join("Cargo.toml");
-    let mut command = test::cargo(&["deny", "--manifest-path"]);
+    // Of all its members, not only of the one at its root.
+    let mut command = test::cargo(&["deny", "--workspace", "--manifest-path"]);
     command.arg(manifest).args(words);
     match child::bounded(&mut command, FETCH_LIMIT) {
         Ok(run) if run.success => Ok(()),
@@ -107,7 +108,8 @@ fn has_database() -> Result<()> {
         return Err(Problem::Missing(missing.into()));
     }
     deny("", &["fetch", "db"]).map_err(|said| {
-        let error = said.lines().find(|line| line.contains("fatal") || line.contains("ERROR"));
+        let line = |word: &str| said.lines().find(|line| line.contains(word));
+        let error = line("fatal: ").or_else(|| line("ERROR"));
         let error = error.unwrap_or("it does not say why").trim();
         Problem::Missing(format!("`cargo deny fetch db` got no database: {error}"))
     })
