@@ -224,7 +224,7 @@ fn fuzz(fuzzer: &Fuzzer, course: &Course, corpora: &Path) -> Result<Value> {
         first.push(to);
     }
     first.extend(found(name)?);
-    let mut command = Command::new(target().join(HOST).join("release").join(name));
+    let mut command = at_fixed_addresses(&target().join(HOST).join("release").join(name));
     command
         .arg(&corpus)
         .args(course.arguments(fuzzer))
@@ -258,6 +258,18 @@ fn fuzz(fuzzer: &Fuzzer, course: &Course, corpora: &Path) -> Result<Value> {
         "branches": figures.branches,
         "corpus": figures.corpus,
     }))
+}
+
+/// A program whose addresses are the same in each run, where the system lets it be: libFuzzer
+/// keys what it remembers of comparisons by them.
+fn at_fixed_addresses(program: &Path) -> Command {
+    let mut command = Command::new("setarch");
+    if child::output(command.args(["-R", "true"])).is_none() {
+        return Command::new(program);
+    }
+    let mut command = Command::new("setarch");
+    command.arg("-R").arg(program);
+    command
 }
 
 /// What it once found, in order.
