@@ -94,7 +94,8 @@
         clippy::unwrap_used,
         clippy::indexing_slicing,
         clippy::float_arithmetic,
-        clippy::panic
+        clippy::panic,
+        reason = "tests panic, and take floats to compare with"
     )
 )]
 

@@ -6,6 +6,10 @@
 //! against near, far and the four sides of the range of screen positions. What
 //! is merely off the screen is not clipped but scissored, so that its edges do
 //! not move.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "clip coordinates and weights are held to what fits the 64 bits of their products; tests stop at overflow"
+)]
 
 use crate::math::{keep_rolled, rolled};
 use crate::vertex::{ClipVertex, ScreenVertex, guard, outcode, outside, project};

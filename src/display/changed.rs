@@ -56,9 +56,12 @@ impl<'a, R: PartialRows> Changed<'a, R> {
         }
     }
 
-    /// How many sums a screen needs.
+    /// How many sums a screen needs. As in [`Changed::new`], a tile and a call are at least 1.
     pub const fn sums(row_bytes: usize, tile: usize, rows_a_call: u16, height: u16) -> usize {
-        row_bytes.div_ceil(tile) * height.div_ceil(rows_a_call) as usize
+        let tile = if tile == 0 { 1 } else { tile };
+        let rows_a_call = if rows_a_call == 0 { 1 } else { rows_a_call };
+        let calls = height.div_ceil(rows_a_call) as usize;
+        row_bytes.div_ceil(tile).saturating_mul(calls)
     }
 
     /// The next frame is sent whole: after the panel slept, say.
@@ -84,7 +87,7 @@ impl<R: PartialRows> PackedRows for Changed<'_, R> {
     type Error = R::Error;
 
     fn rows(&mut self, y: u16, bytes: &[u8]) -> Result<(), R::Error> {
-        let row = usize::from(y / self.rows_a_call) * self.across;
+        let row = usize::from(y / self.rows_a_call).saturating_mul(self.across);
         // Bytes from here on are to be sent; all before it are done.
         let mut start = None;
         let mut tiles = bytes.chunks(self.tile.get()).enumerate();
@@ -93,11 +96,13 @@ impl<R: PartialRows> PackedRows for Changed<'_, R> {
             let at = next.map_or(bytes.len(), |(number, _)| number * self.tile.get());
             let changed = next.is_some_and(|(number, tile)| {
                 let sum = sum(tile);
-                self.sums.get_mut(row + number).is_none_or(|kept| {
-                    let changed = *kept != sum;
-                    *kept = sum;
-                    changed
-                })
+                self.sums
+                    .get_mut(row.saturating_add(number))
+                    .is_none_or(|kept| {
+                        let changed = *kept != sum;
+                        *kept = sum;
+                        changed
+                    })
             });
             if changed {
                 start = start.or(Some(at));

@@ -35,7 +35,7 @@ impl Dither for Nearest {
             // Half of the way from k to k + 1 has (k + 1/4) / (2k + 1) of the light
             // between them.
             let up = part * (2 * level + 1) >= 64 * (4 * level + 1);
-            put(x, (level as u8 + u8::from(up)).min(most));
+            put(x, (level as u8).saturating_add(up.into()).min(most));
         }
     }
 }

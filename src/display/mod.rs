@@ -1,5 +1,9 @@
 //! Where finished rows go. In: [`BandRows`] and the palette. Out: a panel's
 //! pixels. Used by `render` and `ray`, implemented by applications.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "columns, rows and tones of 16 bits, in wider integers; tests stop at overflow"
+)]
 
 mod changed;
 mod dither;

@@ -218,8 +218,10 @@ impl<D: Dither, R: PackedRows> Display for Packed<'_, D, R> {
     fn show(&mut self, rows: BandRows<'_>) -> Result<(), R::Error> {
         let width = usize::from(rows.width).max(1);
         let Self { tones, packer } = self;
-        for (y, indices) in (rows.top..).zip(rows.indices.chunks_exact(width)) {
+        let mut y = rows.top;
+        for indices in rows.indices.chunks_exact(width) {
             packer.row(y, indices.iter().map(|index| tones.of(*index)))?;
+            y = y.wrapping_add(1);
         }
         Ok(())
     }

@@ -47,11 +47,13 @@ impl<'a> Samples<'a> {
         let width = usize::from(rows.width);
         let (picture_width, _) = self.output.picture_size((rows.width, 1));
         let [_, down] = self.output.samples.map(|n| u16::from(n.max(1)));
-        for (y, indices) in (rows.top..).zip(rows.indices.chunks_exact(width.max(1))) {
+        let mut y = rows.top;
+        for indices in rows.indices.chunks_exact(width.max(1)) {
             if self.add(y, indices) {
                 let shown = self.sums.len().min(picture_width.into());
                 finished(y / down, self.sums.get(..shown).unwrap_or_default())?;
             }
+            y = y.wrapping_add(1);
         }
         Ok(())
     }
@@ -83,11 +85,11 @@ fn add(sums: &mut [u32], table: &[u32; 256], indices: &[u8], across: usize, chan
     if across == 2 {
         for (sum, pair) in sums.iter_mut().zip(indices.as_chunks::<2>().0) {
             let [a, b] = *pair;
-            *sum += (colour(a) + colour(b)) & channels;
+            *sum = sum.wrapping_add(colour(a).wrapping_add(colour(b)) & channels);
         }
     } else {
         for (sum, index) in sums.iter_mut().zip(indices) {
-            *sum += colour(*index) & channels;
+            *sum = sum.wrapping_add(colour(*index) & channels);
         }
     }
 }

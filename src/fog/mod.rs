@@ -6,6 +6,10 @@
 //! By then each pixel is decided, so that fog costs one look-up a pixel, however
 //! often it was drawn over and whatever it was shaded by. A pixel's depth says how
 //! far away it is; where nothing was drawn there is no fog, as in OpenGL and VTK.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "depths of 16 bits and the rows of a table, in wider integers; tests stop at overflow"
+)]
 
 use crate::frame::Target;
 use crate::math::{Depth, reciprocal};

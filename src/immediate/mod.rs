@@ -4,6 +4,10 @@
 //!
 //! What comes by call is drawn again in each band, over the scene's own surfaces and after
 //! its fog and what it mixes: whatever order it comes in, what is nearer stays.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "places of 32 bits, in products of 64; directions have length 1; tests stop at overflow"
+)]
 
 mod drawing;
 mod lit;

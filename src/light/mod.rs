@@ -4,6 +4,10 @@
 //! summed to a light level or a colour. Used by `vertex` (at vertices), `render`
 //! (at faces), `shade` (at pixels), `immediate` and `ray` (in the world). Grey lights without a place go by
 //! [`ModelLights`](crate::view::ModelLights), which is faster.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "directions of length 1, levels and distances that are held in range; tests stop at overflow"
+)]
 
 mod model;
 mod normal;

@@ -20,6 +20,10 @@
 //!
 //! **Depth** is linear on the screen along the line's longer extent and held within
 //! that of the ends, plus a bias. Light, a level or a colour, is interpolated in space.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "screen places of 25 bits, in products of 64; tests stop at overflow"
+)]
 
 mod mark;
 mod pixel;

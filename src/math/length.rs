@@ -157,10 +157,11 @@ pub fn direction(v: [i32; 3]) -> Option<(ShortUnit, Scaled)> {
     Some((unit, Scaled::new(length, up - 11 + down)))
 }
 
-/// The dot product of two directions, 28 fractional bits.
+/// The dot product of two directions, 28 fractional bits; of what is longer, modulo 2^32.
 #[inline(always)]
 pub fn short_dot([ax, ay, az]: ShortUnit, [bx, by, bz]: ShortUnit) -> i32 {
-    ax * bx + ay * by + az * bz
+    let [x, y, z] = [(ax, bx), (ay, by), (az, bz)].map(|(a, b)| a.wrapping_mul(b));
+    x.wrapping_add(y).wrapping_add(z)
 }
 
 /// `1 / value` for a [`Scaled`] above 0.

@@ -1,6 +1,10 @@
 //! Number formats and the arithmetic that every stage shares.
 //! In: raw integers. Out: typed fixed-point quantities, exact products and
 //! quotients, tables with a stated error. Used by all stages; imports none.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "each function holds its numbers in range, and wraps where arguments may be anything; tests stop at overflow"
+)]
 
 mod angle;
 mod bayer;

@@ -47,14 +47,16 @@ impl Rotation {
         let (s, c) = angle.sin_cos();
         let scale = |a: i32, by: i64| ((i64::from(a) * by + (1 << 29)) >> 30) as i32;
         let [sx, sy, sz] = axis.map(|a| scale(a, s.into()));
-        let across = [[0, -sz, sy], [sz, 0, -sx], [-sy, sx, 0]];
+        let [nx, ny, nz] = [sx, sy, sz].map(i32::wrapping_neg);
+        let across = [[0, nz, sy], [sz, 0, nx], [ny, sx, 0]];
         let mut rows = Self {
             rows: [[c, 0, 0], [0, c, 0], [0, 0, c]],
         };
         for ((row, across), a) in rows.rows.iter_mut().zip(across).zip(axis) {
             for ((entry, across), b) in row.iter_mut().zip(across).zip(axis) {
                 let both = scale(a, b.into());
-                *entry += across + scale(both, i64::from(ONE) - i64::from(c));
+                let rest = scale(both, i64::from(ONE) - i64::from(c));
+                *entry = entry.wrapping_add(across).wrapping_add(rest);
             }
         }
         rows
@@ -97,18 +99,25 @@ impl Rotation {
         self.rows.map(|row| dot(row, v))
     }
 
-    /// Turns a vector of any scale below 2^47, rounded down.
+    /// Turns a vector of any scale below 2^47, rounded down; of what is longer, modulo 2^64.
     #[inline(never)]
     pub fn apply_wide(&self, [x, y, z]: [i64; 3]) -> [i64; 3] {
-        self.rows
-            .map(|[a, b, c]| scale_q30(a, x) + scale_q30(b, y) + scale_q30(c, z))
+        self.rows.map(|row| turned(row, [x, y, z]))
     }
+}
+
+/// A row by a vector, as [`scale_q30`] has the products.
+#[inline(always)]
+pub(super) fn turned([a, b, c]: Unit3, [x, y, z]: [i64; 3]) -> i64 {
+    let two = scale_q30(a, x).wrapping_add(scale_q30(b, y));
+    two.wrapping_add(scale_q30(c, z))
 }
 
 /// `a * v / 2^30` for `|v| < 2^48`, rounded down, without 128-bit products.
 #[inline(never)]
-pub(super) fn scale_q30(a: i32, v: i64) -> i64 {
+fn scale_q30(a: i32, v: i64) -> i64 {
     let (high, low) = (v >> 15, v & 0x7fff);
     // a * high is a multiple of 2^15 in the product's scale.
-    (i64::from(a) * high + ((i64::from(a) * low) >> 15)) >> 15
+    let high = i64::from(a).wrapping_mul(high);
+    high.wrapping_add((i64::from(a) * low) >> 15) >> 15
 }

@@ -85,7 +85,7 @@ impl Scaled {
 
     /// With `bits` fractional bits, rounded down; saturates.
     pub fn fixed(self, bits: u32) -> u32 {
-        let up = self.exponent + bits as i32;
+        let up = self.exponent.saturating_add_unsigned(bits);
         if self.mantissa != 0 && up > 0 {
             return u32::MAX;
         }

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::rotation::scale_q30;
+use super::rotation::turned;
 use super::{Angle, Rotation, Unit3, Vec3, World as Length, cross, normalise};
 
 /// Model space: an actor's own.
@@ -91,17 +91,16 @@ impl<From: Space, To: Space> Transform<From, To> {
         let columns = [[a, d, g], [b, e, h], [c, f, i]];
         let product = next.linear.map(|row| {
             let [x, y, z] = row.map(i64::from);
-            columns.map(|[p, q, r]| x * p + y * q + z * r)
+            columns.map(|[p, q, r]| (x * p).wrapping_add(y * q).wrapping_add(z * r))
         });
-        let (linear, exponent) = fit(product, self.exponent + next.exponent);
+        let (linear, exponent) = fit(product, self.exponent.saturating_add(next.exponent));
         Transform::new(linear, exponent, next.apply_q32(self.translation))
     }
 
-    fn apply_q32(&self, [x, y, z]: [i64; 3]) -> [i64; 3] {
+    fn apply_q32(&self, point: [i64; 3]) -> [i64; 3] {
         let mut out = self.translation;
-        for (sum, [a, b, c]) in out.iter_mut().zip(self.linear) {
-            let turned = scale_q30(a, x) + scale_q30(b, y) + scale_q30(c, z);
-            *sum = sum.saturating_add(shift(turned, self.exponent));
+        for (sum, row) in out.iter_mut().zip(self.linear) {
+            *sum = sum.saturating_add(shift(turned(row, point), self.exponent));
         }
         out
     }
@@ -156,8 +155,8 @@ fn fit(rows: [[i64; 3]; 3], exponent: i32) -> ([[i32; 3]; 3], i32) {
     let down = 30 + extra;
     let half = if down > 0 { 1i64 << (down - 1) } else { 0 };
     (
-        rows.map(|row| row.map(|c| ((c + half) >> down) as i32)),
-        exponent + extra,
+        rows.map(|row| row.map(|c| (c.saturating_add(half) >> down) as i32)),
+        exponent.saturating_add(extra),
     )
 }
 
@@ -165,6 +164,6 @@ fn shift(v: i64, by: i32) -> i64 {
     if by >= 0 {
         v.saturating_mul(1i64 << by.min(62))
     } else {
-        v >> (-by).min(63)
+        v >> by.saturating_neg().min(63)
     }
 }

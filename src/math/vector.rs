@@ -103,10 +103,12 @@ pub fn cross(a: Unit3, b: Unit3) -> [i64; 3] {
     [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
 }
 
-/// Dot product of two Q30 directions in Q30, rounded to nearest.
+/// Dot product of two Q30 directions in Q30, rounded to nearest; of what is longer, modulo
+/// 2^32.
 #[inline(never)] // used once an actor, in many places
 pub fn dot(a: Unit3, b: Unit3) -> i32 {
     let ([ax, ay, az], [bx, by, bz]) = (a.map(i64::from), b.map(i64::from));
     // Two directions of length 1: at most 1 + 2^-27.
-    ((ax * bx + ay * by + az * bz + (1 << 29)) >> 30) as i32
+    let sum = (ax * bx).wrapping_add(ay * by).wrapping_add(az * bz);
+    (sum.wrapping_add(1 << 29) >> 30) as i32
 }

@@ -1,6 +1,10 @@
 //! From palette indices to a panel's colours. In: indices of finished rows and
 //! the palette. Out: bytes that a panel takes. Used by `display`, `render` and
 //! `ray`.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "channels of 8 bits, in wider integers; tests stop at overflow"
+)]
 
 mod convert;
 mod packed;

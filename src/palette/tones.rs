@@ -23,7 +23,9 @@ pub const fn tone(grey: u8, most: u8) -> Tone {
     // At most 2^17 (most + 1): with 4 bits, 256 of them are below 2^29. It is 255^2 times an
     // odd number, hence odd, and saying so takes the check for division by zero away.
     let step = (next * next - here * here) | 1;
-    let part = ((value * value - here * here) * 256 + step / 2) / step;
+    // Of more than 126 levels, which no panel has, it wraps.
+    let way = (value * value - here * here).wrapping_mul(256);
+    let part = way.wrapping_add(step / 2) / step;
     (level * 256 + part) as Tone
 }
 

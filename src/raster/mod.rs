@@ -6,6 +6,10 @@
 //! left edge. Edges are followed in exact integer quotients and remainders
 //! (Bresenham's error term), so the rule holds to the last sub-pixel bit, and
 //! two triangles of one edge share it without gap or overlap.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "screen places of 25 bits and depths of 20, in products of 64; tests stop at overflow"
+)]
 
 mod attribute;
 mod attributes;

@@ -2,6 +2,10 @@
 //! a [`Scene`](crate::Scene) baked for it, and a [`Pose`](crate::Pose). Out: finished
 //! rows for a [`Display`](crate::Display), as the rasteriser gives them. Used by
 //! applications; draws surfaces only, no lines, marks or texts.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "places in the world and in grids, held to what fits the 64 bits of their products; tests stop at overflow"
+)]
 
 mod actor;
 mod actors;

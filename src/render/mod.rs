@@ -2,6 +2,10 @@
 //! [`Scene`](crate::scene::Scene), a [`Pose`](crate::scene::Pose), a
 //! [`Scratch`] and a [`Band`](crate::frame::Band). Out: rows to a
 //! [`Display`](crate::display::Display), and [`FrameStats`].
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "places in lists of bounded length, counts of what a frame draws; tests stop at overflow"
+)]
 
 mod actors;
 mod bands;

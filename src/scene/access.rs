@@ -186,16 +186,20 @@ impl<'a> Scene<'a> {
 
     /// Bytes that the meshes take: meshlets, vertices, triangles, face normals.
     pub fn mesh_bytes(&self) -> usize {
-        size_of_val(self.meshlets)
-            + size_of_val(self.vertices)
-            + size_of_val(self.triangles)
-            + size_of_val(self.face_normals)
-            + size_of_val(self.fine)
-            + size_of_val(self.vertex_colours)
-            + size_of_val(self.edges)
-            + size_of_val(self.meshlet_edges)
-            + size_of_val(self.coordinates)
-            + size_of_val(self.face_cones)
+        [
+            size_of_val(self.meshlets),
+            size_of_val(self.vertices),
+            size_of_val(self.triangles),
+            size_of_val(self.face_normals),
+            size_of_val(self.fine),
+            size_of_val(self.vertex_colours),
+            size_of_val(self.edges),
+            size_of_val(self.meshlet_edges),
+            size_of_val(self.coordinates),
+            size_of_val(self.face_cones),
+        ]
+        .iter()
+        .sum()
     }
 
     /// A meshlet by its place in the scene's list.

@@ -1,9 +1,6 @@
 //! A camera as the blob holds it: in the header, and in viewports that have
 //! their own.
 
-// Bytes from anywhere come in: whatever they say, nothing overflows.
-#![deny(clippy::arithmetic_side_effects)]
-
 use fixed::types::U8F24;
 
 use super::records::{i, u, w};

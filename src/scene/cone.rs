@@ -1,8 +1,5 @@
 //! Which way a few triangles face.
 
-// Bytes from anywhere come in: whatever they say, nothing overflows.
-#![deny(clippy::arithmetic_side_effects)]
-
 /// Which way some triangles of a meshlet face, in three bytes: all of them are seen from
 /// behind by an eye from which
 ///

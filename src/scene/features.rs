@@ -1,8 +1,5 @@
 //! What a scene needs of the program that draws it: Cargo features of this crate.
 
-// Bytes from anywhere come in: whatever they say, nothing overflows.
-#![deny(clippy::arithmetic_side_effects)]
-
 use super::{Field, Material, Record, Scene, SceneError, Shading, Transparency, layout};
 
 /// A feature in each line, with what of a scene uses it, in the order of the bits of

@@ -1,8 +1,5 @@
 //! Fog as the blob holds it.
 
-// Bytes from anywhere come in: whatever they say, nothing overflows.
-#![deny(clippy::arithmetic_side_effects)]
-
 use super::layout::FOG_ROWS;
 use super::range::{count, last, range};
 use super::records::{i, w};

@@ -1,8 +1,5 @@
 //! The first record of a blob.
 
-// Bytes from anywhere come in: whatever they say, nothing overflows.
-#![deny(clippy::arithmetic_side_effects)]
-
 use super::records::{i, u, w};
 use super::{CameraRecord, Record, layout};
 

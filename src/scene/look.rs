@@ -1,8 +1,5 @@
 //! What of an actor is drawn, if it is not its surface; a mesh's edges; marks.
 
-// Bytes from anywhere come in: whatever they say, nothing overflows.
-#![deny(clippy::arithmetic_side_effects)]
-
 use super::range::{count, last, range};
 use super::records::{i, u};
 use super::{Field, Meshlet, Record, Scene, SceneError, Section, layout};

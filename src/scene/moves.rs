@@ -1,4 +1,8 @@
 //! The camera's moves. Their meanings are VTK's (`vtkCamera`), all in fixed point.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "a camera's numbers of 32 bits, in 64; tests stop at overflow"
+)]
 
 use super::{Camera, Projection};
 use crate::math::{Angle, Factor, Rotation, Unit3, Vec3, World, normalise, view_rotation};

@@ -1,5 +1,9 @@
 //! From the frame that is drawn to the picture that is shown: samples of a pixel,
 //! and pictures for two eyes.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "samples of a pixel, 1 or 2 each way; tests stop at overflow"
+)]
 
 use super::range::{count, range};
 use super::records::{i, w};

@@ -1,8 +1,5 @@
 //! Checks of actors.
 
-// Bytes from anywhere come in: whatever they say, nothing overflows.
-#![deny(clippy::arithmetic_side_effects)]
-
 use super::range::{count, last, range};
 use super::{Actor, Field, Record, Scene, SceneError, Section, Shading, layout};
 

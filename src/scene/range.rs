@@ -1,8 +1,5 @@
 //! Numbers of a blob, held against their ranges.
 
-// Bytes from anywhere come in: whatever they say, nothing overflows.
-#![deny(clippy::arithmetic_side_effects)]
-
 use super::{Field, SceneError, Section};
 
 /// The greatest place where `count` things can begin among `all`; below 0 if there are not as

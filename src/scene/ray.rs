@@ -1,5 +1,9 @@
 //! What the ray caster needs beyond what is drawn: how rays are cast, a hierarchy of
 //! boxes over each mesh, mirrors and glass, lights that have a size.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "fields of a word; tests stop at overflow"
+)]
 
 use super::records::{i, u, w};
 use super::{Mesh, Record, Scene};

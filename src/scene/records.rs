@@ -1,9 +1,6 @@
 //! The records of a blob: what each word means, in both directions. The baker
 //! writes what is read here, so a format stands in one place.
 
-// Bytes from anywhere come in: whatever they say, nothing overflows.
-#![deny(clippy::arithmetic_side_effects)]
-
 /// A record of fixed size, made of little-endian 32-bit words.
 pub trait Record: Sized {
     /// The words.

@@ -1,8 +1,5 @@
 //! A scene's sections: the bytes of each, as records.
 
-// Bytes from anywhere come in: whatever they say, nothing overflows.
-#![deny(clippy::arithmetic_side_effects)]
-
 use bytemuck::{AnyBitPattern, try_cast_slice};
 
 use super::layout;

@@ -1,8 +1,5 @@
 //! Textures, as a blob has them.
 
-// Bytes from anywhere come in: whatever they say, nothing overflows.
-#![deny(clippy::arithmetic_side_effects)]
-
 use super::Record;
 use super::records::u;
 

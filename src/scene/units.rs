@@ -15,7 +15,10 @@ impl Scene<'_> {
         let mut bits = place.to_bits().map(i64::from);
         for (c, centre) in bits.iter_mut().zip(header.world_centre) {
             // 32 bits; beyond 2^47 it is far off any scene in these units.
-            let centre = shifted(centre.into(), 16 + i32::from(header.centre_exponent));
+            let centre = shifted(
+                centre.into(),
+                i32::from(header.centre_exponent).saturating_add(16),
+            );
             *c = c.saturating_sub(centre);
         }
         Vec3::from_bits(bits.map(|c| saturated(shifted(c, header.world_exponent.into()))))

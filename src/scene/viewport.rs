@@ -1,4 +1,8 @@
 //! Parts of the frame with cameras of their own.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "columns and rows of 16 bits, in wider integers; tests stop at overflow"
+)]
 
 use super::range::{count, last, range};
 use super::records::u;

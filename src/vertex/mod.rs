@@ -2,6 +2,10 @@
 //! [`ActorView`](crate::view::ActorView). Out: [`ScreenVertex`] for each, lit.
 //! Used by `clip` (which asks again for clip coordinates), `line`, `raster`, `render` and
 //! `immediate`.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "coordinates of 16 and 24 bits by rows of the view, in 64; tests stop at overflow"
+)]
 
 mod clip_coordinates;
 mod meshlet;

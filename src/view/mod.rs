@@ -2,6 +2,10 @@
 //! and the screen's size. Out: [`ViewFrame`] once a frame and [`ActorView`] once
 //! an actor, with everything that later stages need of camera and lights.
 //! Used by all that draws in space: `cull` to `clip`, `light`, `fog`, `immediate`, `ray`.
+#![expect(
+    clippy::arithmetic_side_effects,
+    reason = "a pose's numbers of 32 bits, in products of 64; what may be larger saturates; tests stop at overflow"
+)]
 
 mod actor_view;
 mod depth_map;

@@ -3,6 +3,7 @@
 use fixel::scene::{self, Field, SceneError, Section, layout};
 use fixel_bake::Baked;
 use fixel_host::{Options, render};
+use fixel_tests::fuzz::{features, made_good};
 
 fn small() -> Baked {
     fixel_tests::load(&fixel_tests::root().join("tests/data/small.toml")).1
@@ -113,7 +114,6 @@ fn an_index_out_of_range_is_named() {
     }
 }
 
-/// Word 14 of the header, its upper half.
 #[test]
 fn the_features_that_a_scene_needs_are_stated() {
     let baked = moving();
@@ -121,9 +121,13 @@ fn the_features_that_a_scene_needs_are_stated() {
     let stated = scene.header().features;
     assert_eq!(stated, scene.features_used());
     assert_ne!(stated, 0);
-    let parsed = |features: u16| {
+    let parsed = |wanted: u16| {
         let words = with_change(&baked, |bytes| {
-            bytes[58..60].copy_from_slice(&features.to_le_bytes());
+            let (all, wanted) = (features(u16::MAX), features(wanted));
+            let words = bytes.as_chunks_mut::<4>().0;
+            for ((word, all), wanted) in words.iter_mut().zip(all).zip(wanted) {
+                *word = (u32::from_le_bytes(*word) & !all | wanted).to_le_bytes();
+            }
         });
         parse(&words)
     };
@@ -167,13 +171,32 @@ fn a_vertex_beyond_a_sphere_is_named() {
 
 #[test]
 fn every_truncation_is_refused() {
-    let baked = small();
-    for length in 0..baked.bytes().len() {
-        assert!(
-            Baked::from_bytes(&baked.bytes()[..length]).is_err(),
-            "{length} bytes"
-        );
+    for baked in [small(), moving(), lines(), rays()] {
+        for length in 0..baked.bytes().len() {
+            let cut = &baked.bytes()[..length];
+            assert!(Baked::from_bytes(cut).is_err(), "{length} bytes");
+        }
+        // And if length and checksum are made good: all that there is is of use.
+        for length in (layout::PREFIX_BYTES..baked.bytes().len()).step_by(4) {
+            let cut = made_good(&baked.bytes()[..length]).expect("long enough");
+            assert!(Baked::from_bytes(&cut).is_err(), "{length} bytes");
+        }
     }
+}
+
+/// The checksum, the head's own words and the length see any change of a byte.
+#[test]
+fn every_value_of_every_byte_is_refused() {
+    let baked = small();
+    let mut bytes = baked.bytes().to_vec();
+    for at in 0..bytes.len() {
+        for flip in 1..=u8::MAX {
+            bytes[at] ^= flip;
+            assert!(Baked::from_bytes(&bytes).is_err(), "byte {at}, {flip:#x}");
+            bytes[at] ^= flip;
+        }
+    }
+    assert!(Baked::from_bytes(&bytes).is_ok());
 }
 
 /// All that is not a surface.
@@ -181,14 +204,17 @@ fn lines() -> Baked {
     fixel_tests::load(&fixel_tests::root().join("tests/data/lines.toml")).1
 }
 
+/// A triangle mesh, a ball, an ellipsoid, a mirror, glass.
+fn rays() -> Baked {
+    fixel_tests::load_for_rays(&fixel_tests::root().join("tests/data/rays.toml")).1
+}
+
 #[test]
 fn every_changed_byte_is_refused_or_drawn_safely() {
     for baked in [small(), moving(), lines()] {
         change_every_byte(&baked, layout::CHECKED_FROM, render);
     }
-    // A triangle mesh, a ball, an ellipsoid, a mirror, glass.
-    let scene = fixel_scene::load(&fixel_tests::root().join("tests/data/rays.toml"));
-    let baked = fixel_bake::bake_for_rays(&scene.expect("a scene")).expect("baked");
+    let baked = rays();
     // What only rays read comes last.
     let table = 4 * (layout::HEADER_WORDS + 2 * Section::RaySettings as usize);
     let word = &baked.bytes()[table..table + 4];

@@ -3,8 +3,9 @@
 use fixel::display::{Fault, Faulty, Ordered, Packed, PackedRows, Packing};
 use fixel::frame::BandRows;
 use fixel::palette::{Palette, Rgb565Table};
-use fixel::{Band, Display, Scene, Scratch, render_frame};
-use fixel_tests::{load, root};
+use fixel::ray::{self, KeptPixel, RayScratch};
+use fixel::{Band, Display, Renderer, Scene, Scratch, render_frame};
+use fixel_tests::{load, load_for_rays, root};
 
 /// A panel of RGB565 in memory: an address window, then pixels.
 struct Panel {
@@ -51,21 +52,64 @@ fn draw<D: Display>(scene: &Scene<'_>, rows: u16, display: &mut D) -> Result<(),
     render_frame(scene, &scene.pose(3), work, &mut band, display).map(|_| ())
 }
 
+/// Fails each transfer of a frame once and draws the next frame with what the frame before has
+/// left in working memory; gives how many transfers there are.
+fn after_each_fault(
+    scene: &Scene<'_>,
+    mut frame: impl FnMut(&mut Faulty<Panel>) -> Result<(), Fault<BusError>>,
+) -> u32 {
+    let mut good = Faulty::new(Panel::new(scene), u32::MAX);
+    frame(&mut good).expect("a good bus");
+    for fail in 0.. {
+        let mut panel = Faulty::new(Panel::new(scene), fail);
+        let result = frame(&mut panel);
+        if result.is_ok() {
+            return fail;
+        }
+        assert_eq!(result, Err(Fault::Injected));
+        assert_eq!(frame(&mut panel), Ok(()));
+        let right = panel.display().pixels == good.display().pixels;
+        assert!(right, "after fault {fail}");
+    }
+    unreachable!("a frame ends")
+}
+
 #[test]
 fn every_transfer_may_fail_and_the_next_frame_is_right() {
     let (_, baked) = load(&root().join("scenes/teapot.toml"));
     let scene = baked.scene().expect("baked a moment ago");
-    let mut good = Panel::new(&scene);
-    draw(&scene, 16, &mut good).expect("a good bus");
+    let mut renderer = Box::new(Renderer::<320, 16>::new());
+    let pose = scene.pose(3);
+    let transfers = after_each_fault(&scene, |panel| {
+        renderer.draw(&scene, &pose, panel).map(|_| ())
+    });
     // The palette and 15 bands.
-    for fail in 0..16 {
-        let mut panel = Faulty::new(Panel::new(&scene), fail);
-        assert_eq!(draw(&scene, 16, &mut panel), Err(Fault::Injected));
-        assert_eq!(draw(&scene, 16, &mut panel), Ok(()));
-        assert!(panel.display().pixels == good.pixels, "after fault {fail}");
-    }
-    let mut panel = Faulty::new(Panel::new(&scene), 16);
-    assert_eq!(draw(&scene, 16, &mut panel), Ok(()));
+    assert_eq!(transfers, 16);
+}
+
+#[test]
+fn every_transfer_of_rays_may_fail_and_the_next_frame_is_right() {
+    let (_, baked) = load_for_rays(&root().join("tests/data/rays.toml"));
+    let scene = baked.scene().expect("baked a moment ago");
+    let (width, height) = (scene.frame_width(), scene.frame_height());
+    let pixels = usize::from(width) * usize::from(height);
+    let (mut indices, mut depths) = (vec![0; pixels], vec![0; pixels]);
+    let mut scratch = Box::new(RayScratch::<8>::new());
+    let mut kept = vec![KeptPixel::default(); pixels];
+    let pose = scene.pose(3);
+    let rows = usize::from(width) * 7;
+    let whole = after_each_fault(&scene, |panel| {
+        let band = Band::new(width, &mut indices[..rows], &mut depths[..rows]);
+        let (work, band) = (&mut scratch.workspace(), &mut band.expect("a band"));
+        ray::render_frame(&scene, &pose, work, band, panel).map(|_| ())
+    });
+    assert_eq!(whole, 1 + u32::from(height.div_ceil(7)));
+    let in_passes = after_each_fault(&scene, |panel| {
+        let band = Band::new(width, &mut indices[..rows], &mut depths[..rows]);
+        let (work, band) = (&mut scratch.workspace(), &mut band.expect("a band"));
+        ray::render_progressively(&scene, &pose, work, band, panel, &mut kept).map(|_| ())
+    });
+    assert!(in_passes > whole, "{in_passes} transfers");
 }
 
 /// An OLED's memory, by pages.

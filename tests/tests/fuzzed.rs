@@ -4,7 +4,7 @@
 
 use std::fs;
 
-use fixel_tests::fuzz::{blob, calls, mesh, picture, scene, text};
+use fixel_tests::fuzz::{arithmetic, blob, calls, mesh, panels, picture, scene, text};
 use fixel_tests::made::Random;
 use fixel_tests::root;
 
@@ -58,6 +58,18 @@ fn blobs() {
 fn calls_with_anything() {
     found("calls", calls);
     random(3, 2000, calls);
+}
+
+#[test]
+fn arithmetic_of_anything() {
+    found("arithmetic", arithmetic);
+    random(11, 40_000, arithmetic);
+}
+
+#[test]
+fn panels_of_anything() {
+    found("panels", panels);
+    random(13, 40_000, panels);
 }
 
 #[test]

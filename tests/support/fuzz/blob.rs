@@ -1,6 +1,6 @@
 //! Blobs out of bytes: refused, or drawn safely.
 
-use fixel::scene::{checksum, layout};
+use fixel::scene::{Header, Record, checksum, layout};
 use fixel_bake::Baked;
 use fixel_host::{Options, render, render_rays};
 
@@ -23,7 +23,11 @@ pub fn made_good(bytes: &[u8]) -> Option<Vec<u8>> {
         .map(|c| u32::from_le_bytes([c[0], c[1], c[2], c[3]]))
         .collect();
     // All features are asked for: more than are used harm none.
-    *words.get_mut(14)? |= ((1 << layout::FEATURES) - 1) << 16;
+    let all = features((1 << layout::FEATURES) - 1);
+    words
+        .iter_mut()
+        .zip(all)
+        .for_each(|(word, bits)| *word |= bits);
     let checked = words.get(layout::CHECKED_FROM / 4..)?;
     let head = [
         layout::MAGIC,
@@ -33,6 +37,16 @@ pub fn made_good(bytes: &[u8]) -> Option<Vec<u8>> {
     ];
     words[..4].copy_from_slice(&head);
     Some(words.iter().flat_map(|w| w.to_le_bytes()).collect())
+}
+
+/// The bits of a header's words that state these features.
+pub fn features(features: u16) -> [u32; layout::HEADER_WORDS] {
+    let none = Header {
+        features: 0,
+        ..Header::from_words(&[0; layout::HEADER_WORDS])
+    };
+    let (these, none) = (Header { features, ..none }.to_words(), none.to_words());
+    std::array::from_fn(|word| these[word] ^ none[word])
 }
 
 fn drawn(bytes: &[u8]) {

@@ -3,10 +3,7 @@
 use std::sync::LazyLock;
 
 use fixel::immediate::{Immediate, Pen};
-use fixel::math::{
-    Angle, Divider, Factor, Rotation, SubPx, Vec3, World, cross, direction, mul_high, mul_q30,
-    normalise, power, reciprocal, reciprocal_root, root, unit,
-};
+use fixel::math::{Angle, Factor, SubPx, Vec3, World};
 use fixel::render::Bands;
 use fixel::scene::{Camera, Placement, Pose, Projection};
 use fixel::view::{DisplayPoint, ViewFrame};
@@ -24,58 +21,9 @@ static SCENES: LazyLock<Vec<Baked>> = LazyLock::new(|| {
 /// Calls one of them after the other for as long as there are bytes.
 pub fn calls(bytes: &[u8]) {
     let mut n = Numbers(bytes);
-    numbers(&mut n);
     let baked = n.below(SCENES.len());
     let scene = SCENES[baked].scene().expect("baked by us");
     frame(&mut n, &scene);
-}
-
-fn numbers(n: &mut Numbers<'_>) {
-    for _ in 0..n.below(8) {
-        let (a, b, c) = (n.extreme(), n.extreme(), n.extreme());
-        match n.below(12) {
-            0 => {
-                let _ = reciprocal(a as u32);
-            }
-            1 => {
-                let _ = reciprocal_root(a as u32);
-            }
-            2 => {
-                let _ = root(u64::from(a as u32) << 32 | u64::from(b as u32));
-            }
-            3 => {
-                let _ = unit([a, b, c]);
-            }
-            4 => {
-                let _ = direction([a, b, c]);
-            }
-            5 => {
-                let _ = normalise([a, b, c].map(i64::from));
-            }
-            6 => {
-                let turn = Angle::from_bits(a as u32);
-                let _ = (turn.sin_cos(), turn.tangent(), Angle::of_tangent(b as u32));
-                let _ = Angle::fraction(b as u32, c as u32);
-            }
-            7 => {
-                let _ = (mul_high(a, b), mul_q30(a, b));
-            }
-            8 => {
-                let _ = power(a as u32 % (1 << 28), b as u16);
-            }
-            9 => {
-                let about =
-                    Rotation::from_orientation([a, b, c].map(|a| Angle::from_bits(a as u32)));
-                let _ = about.transposed().then(&about).apply([1 << 30, 0, 0]);
-            }
-            10 => {
-                let _ = cross([a, b, c].map(|c| c >> 1), [c, a, b].map(|c| c >> 1));
-            }
-            _ => {
-                let _ = Divider::new(a.max(1));
-            }
-        }
-    }
 }
 
 fn vector(n: &mut Numbers<'_>) -> Vec3 {

@@ -5,13 +5,17 @@
 //! `tests/fuzzed.rs`.
 #![allow(clippy::missing_panics_doc, reason = "a panic is what is looked for")]
 
+mod arithmetic;
 mod blob;
 mod calls;
 mod files;
 mod numbers;
+mod panels;
 mod scene;
 
-pub use blob::{blob, made_good};
+pub use arithmetic::arithmetic;
+pub use blob::{blob, features, made_good};
 pub use calls::calls;
 pub use files::{mesh, picture, text};
+pub use panels::panels;
 pub use scene::scene;

@@ -41,6 +41,17 @@ impl Numbers<'_> {
         }
     }
 
+    /// The same of 64 bits.
+    pub fn wide(&mut self) -> i64 {
+        let shift = self.byte() % 64;
+        match self.below(4) {
+            0 => i64::from(self.extreme()) << shift,
+            1 => i64::MIN >> shift,
+            2 => i64::MAX >> shift,
+            _ => i64::from(self.extreme()) << 32 | i64::from(self.word()),
+        }
+    }
+
     /// A number from `low` to `high`, sometimes one of these or 0.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         match self.below(16) {

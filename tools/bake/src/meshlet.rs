@@ -13,6 +13,10 @@ pub(crate) type Cluster = Vec<usize>;
 const FAR: f64 = 0.5;
 const TURNED: f64 = 0.5;
 
+/// Triangles around one place that are looked at: as many as a cluster has. In a fan of very
+/// many, each cluster would look at all of them.
+const MOST_AROUND: usize = MESHLET_TRIANGLES;
+
 struct Builder<'a> {
     triangles: &'a [[u32; 3]],
     centres: Vec<DVec3>,
@@ -20,6 +24,9 @@ struct Builder<'a> {
     /// Triangles around each place; vertices at one place count as one, so that
     /// a crease does not end a cluster.
     around: Vec<Vec<u32>>,
+    /// Of these, how many at the beginning are taken, and how many are free at all.
+    done: Vec<usize>,
+    free: Vec<usize>,
     place: Vec<u32>,
     taken: Vec<bool>,
     /// About the radius of a full cluster.
@@ -53,7 +60,12 @@ pub(crate) fn clusters(positions: &[DVec3], triangles: &[[u32; 3]]) -> Vec<Clust
             break;
         };
         let cluster = builder.grow(seed);
-        border.extend(cluster.iter().flat_map(|t| builder.neighbours(*t)));
+        let mut places: Vec<usize> = cluster.iter().flat_map(|t| builder.places(*t)).collect();
+        places.sort_unstable();
+        places.dedup();
+        for place in places {
+            border.extend(builder.free_at(place));
+        }
         border.sort_unstable();
         border.dedup();
         clusters.push(cluster);
@@ -94,26 +106,36 @@ impl<'a> Builder<'a> {
                 .iter()
                 .map(|t| area2(t).normalize_or_zero())
                 .collect(),
-            around,
             place,
             taken: vec![false; triangles.len()],
+            done: vec![0; around.len()],
+            free: around.iter().map(Vec::len).collect(),
+            around,
             radius: (share.sqrt() * 0.5).max(f64::MIN_POSITIVE),
         }
     }
 
-    /// Triangles that share a place with a triangle, itself among them.
-    fn neighbours(&self, triangle: usize) -> impl Iterator<Item = u32> {
-        let places = self.triangles[triangle].map(|v| self.place[v as usize] as usize);
-        places
-            .into_iter()
-            .flat_map(|place| self.around[place].iter().copied())
+    /// Triangles around a place that are in no cluster yet, in their order: the first of them,
+    /// if there are very many.
+    fn free_at(&mut self, place: usize) -> impl Iterator<Item = u32> {
+        let around = &self.around[place];
+        let (taken, done) = (&self.taken, &mut self.done[place]);
+        while around.get(*done).is_some_and(|t| taken[*t as usize]) {
+            *done += 1;
+        }
+        let left = around[*done..].iter().copied();
+        left.filter(|t| !taken[*t as usize]).take(MOST_AROUND)
     }
 
-    /// How many of them are in no cluster yet, counted once a shared place.
+    fn places(&self, triangle: usize) -> [usize; 3] {
+        self.triangles[triangle].map(|v| self.place[v as usize] as usize)
+    }
+
+    /// How many triangles that share a place with this one are in no cluster yet, itself
+    /// among them, counted once a shared place.
     fn free_around(&self, triangle: usize) -> usize {
-        self.neighbours(triangle)
-            .filter(|t| !self.taken[*t as usize])
-            .count()
+        let places = self.places(triangle);
+        places.into_iter().map(|place| self.free[place]).sum()
     }
 
     fn grow(&mut self, seed: usize) -> Cluster {
@@ -124,6 +146,9 @@ impl<'a> Builder<'a> {
         let mut next = Some(seed);
         while let Some(triangle) = next {
             self.taken[triangle] = true;
+            for place in self.places(triangle) {
+                self.free[place] -= 1;
+            }
             cluster.push(triangle);
             centre += self.centres[triangle];
             axis += self.normals[triangle];
@@ -131,7 +156,7 @@ impl<'a> Builder<'a> {
                 if !vertices.contains(&v) {
                     vertices.push(v);
                     let place = self.place[v as usize] as usize;
-                    border.extend(&self.around[place]);
+                    border.extend(self.free_at(place));
                 }
             }
             border.retain(|t| !self.taken[*t as usize]);
@@ -232,5 +257,24 @@ mod tests {
         // 64 vertices hold at most 98 triangles of a grid.
         let mean = triangles.len() as f64 / clusters.len() as f64;
         assert!(mean > 75.0, "{mean} triangles a cluster");
+    }
+
+    /// Its 60,000 triangles are all around one place; by the square of that it would take
+    /// minutes.
+    #[test]
+    fn a_fan_of_very_many_triangles_takes_no_long_time() {
+        let count = 60_000;
+        let rim = |i: u32| f64::from(i) / f64::from(count) * std::f64::consts::TAU;
+        let mut positions = vec![DVec3::ZERO];
+        positions.extend((0..=count).map(|i| DVec3::new(rim(i).cos(), rim(i).sin(), 0.0)));
+        let triangles: Vec<[u32; 3]> = (1..=count).map(|i| [0, i, i + 1]).collect();
+        let begun = std::time::Instant::now();
+        let clusters = clusters(&positions, &triangles);
+        assert!(begun.elapsed().as_secs() < 20, "{:?}", begun.elapsed());
+        let mut all = clusters.concat();
+        all.sort_unstable();
+        assert!(all.into_iter().eq(0..triangles.len()));
+        // 64 vertices are 62 triangles of a fan.
+        assert!(clusters.len() < 1100, "{} clusters", clusters.len());
     }
 }

@@ -66,7 +66,7 @@ pub fn read(
 /// Tells what the loader has to say on standard error.
 pub fn tell(input: Input) -> Input {
     for note in &input.notes {
-        eprintln!("note: {note}");
+        eprintln!("note: {}", fixel_scene::one_line(note));
     }
     input
 }

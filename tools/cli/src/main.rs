@@ -32,9 +32,7 @@ fn main() -> ExitCode {
     match run(cli.command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            let message = format!("{error:#}");
-            let line = message.split_whitespace().collect::<Vec<_>>().join(" ");
-            eprintln!("fixel: {line}");
+            eprintln!("fixel: {}", fixel_scene::one_line(&format!("{error:#}")));
             ExitCode::FAILURE
         }
     }

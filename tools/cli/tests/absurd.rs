@@ -105,6 +105,122 @@ fn what_has_no_end() {
     refused(&folder, "own.gltf", "own.gltf");
 }
 
+/// Long lists: nothing takes the square of their length, and they are refused if they do not fit.
+#[test]
+fn lists_without_measure() {
+    let folder = Folder::new();
+    let many = |count: usize, text: &dyn Fn(usize) -> String| {
+        let text: String = (0..count).map(text).collect();
+        folder.write("many.toml", &text);
+    };
+    let actor = "[[actor]]\nmesh = \"square.obj\"\n";
+    many(100_000, &|_| actor.to_owned());
+    refused(
+        &folder,
+        "many.toml",
+        "many.toml:1: actor: there are 100000; expected at most 65534",
+    );
+    many(20_000, &|i| {
+        let parent = (i + 1) % 20_000;
+        format!("{actor}name = \"a{i}\"\nparent = \"a{parent}\"\n")
+    });
+    refused(
+        &folder,
+        "many.toml",
+        "goes round in a ring (\"a19999\" of \"a0\" of",
+    );
+    many(20_000, &|i| {
+        let parent = i.saturating_sub(1);
+        let parent = if i == 0 {
+            String::new()
+        } else {
+            format!("parent = \"a{parent}\"\n")
+        };
+        format!("{actor}name = \"a{i}\"\n{parent}")
+    });
+    refused(
+        &folder,
+        "many.toml",
+        "actor.parent: is one too many; expected at most 16",
+    );
+    let light = "[[light]]\nkind = \"directional\"\ndirection = [0, 0, -1]\n";
+    many(50_000, &|i| {
+        if i == 0 {
+            actor.to_owned()
+        } else {
+            light.to_owned()
+        }
+    });
+    refused(&folder, "many.toml", "expected at most 8");
+    let text = "[[text]]\ntext = \"a\"\nposition = [0, 0, 0]\n";
+    many(70_000, &|i| {
+        if i == 0 {
+            actor.to_owned()
+        } else {
+            text.to_owned()
+        }
+    });
+    refused(
+        &folder,
+        "many.toml",
+        "text: there are 69999; expected at most 65534",
+    );
+    let points = "[0, 0, 0],".repeat(700_000);
+    folder.write(
+        "many.toml",
+        &format!("{actor}[[line]]\npoints = [{points}]\n"),
+    );
+    refused(&folder, "many.toml", "has 700000 points, at most 10000");
+    folder.write(
+        "many.toml",
+        &format!("{actor}[[line]]\npoints = [{points}{points}]\n"),
+    );
+    refused(&folder, "many.toml", "bytes; expected at most 8388608");
+    folder.write("many.toml", &format!("{} = 1\n", "a".repeat(8_000_000)));
+    refused(&folder, "many.toml", "is an unknown key; expected one of");
+    // Vertices, of which a face needs three.
+    folder.write(
+        "many.obj",
+        &format!("{}f 1 2 3\n", "v 0 0 0\n".repeat(3_000_001)),
+    );
+    refused(
+        &folder,
+        "many.obj",
+        "has too many of \"v\"; expected at most 3000000",
+    );
+    let head = [vec![b' '; 80], 1_000_001_u32.to_le_bytes().to_vec()].concat();
+    let file = std::fs::File::create(folder.path("many.stl")).unwrap();
+    file.set_len(84 + 50 * 1_000_001).unwrap();
+    std::os::unix::fs::FileExt::write_all_at(&file, &head, 0).unwrap();
+    refused(
+        &folder,
+        "many.stl",
+        "has too many triangles; expected at most 1000000",
+    );
+}
+
+/// What a file says to a terminal stays what it says.
+#[test]
+fn orders_to_a_terminal() {
+    let folder = Folder::new();
+    folder.write("odd.obj", "v 0 0 \u{1b}[2J\u{7}\u{202e}\n");
+    refused(
+        &folder,
+        "odd.obj",
+        "\\u{1b}[2J\\u{7}\\u{202e}\" is not a number",
+    );
+    folder.write(
+        "odd.obj",
+        "mtllib \u{1b}[2J.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+    );
+    let run = folder.fixel("render odd.obj --size 8x8 -o a.png");
+    assert!(
+        run.stderr().contains("\"\\u{1b}[2J.mtl\" does not exist"),
+        "{}",
+        run.stderr()
+    );
+}
+
 #[test]
 fn pictures_that_say_they_are_huge() {
     let folder = Folder::new();
@@ -127,6 +243,52 @@ fn crc(bytes: &[u8]) -> u32 {
     let bit = |crc: u32| crc >> 1 ^ if crc & 1 == 1 { 0xedb8_8320 } else { 0 };
     let byte = |crc: u32, byte: &u8| (0..8).fold(crc ^ u32::from(*byte), |crc, _| bit(crc));
     !bytes.iter().fold(!0, byte)
+}
+
+/// Whatever a glTF file calls what it wants.
+#[test]
+fn buffers_elsewhere() {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path("inner")).unwrap();
+    std::fs::write(folder.path("secret.bin"), [0; 36]).unwrap();
+    std::os::unix::fs::symlink("../secret.bin", folder.path("inner/link.bin")).unwrap();
+    let secret = folder.path("secret.bin");
+    let secret = secret.display();
+    for uri in [
+        "../secret.bin",
+        "%2e%2e/secret.bin",
+        "..%2fsecret.bin",
+        "./inner/../../secret.bin",
+        "link.bin",
+        "/dev/zero",
+        "a%0ab",
+        "%00",
+        r"\\\\server\\share",
+        "http://127.0.0.1/a.bin",
+        &secret.to_string(),
+        &format!("file://{secret}"),
+    ] {
+        let gltf = format!(
+            r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],
+            "nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}}}}]}}],
+            "accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",
+            "min":[0,0,0],"max":[1,1,1]}}],"bufferViews":[{{"buffer":0,"byteLength":36}}],
+            "buffers":[{{"byteLength":36,"uri":"{uri}"}}]}}"#
+        );
+        folder.write("inner/a.gltf", &gltf);
+        let run = Run::of(
+            Command::new(env!("CARGO_BIN_EXE_fixel"))
+                .current_dir(folder.path("inner"))
+                .env_remove("FIXEL_ALLOW")
+                .args("render a.gltf --size 8x8 -o a.png".split(' ')),
+        );
+        let line = run.fails();
+        // What is read would be triangles without area.
+        assert!(
+            line.contains("a.gltf: ") && !line.contains("area"),
+            "{uri}: {line}"
+        );
+    }
 }
 
 /// What a scene names is read only where it may.

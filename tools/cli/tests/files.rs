@@ -5,11 +5,16 @@
 mod common;
 
 use common::*;
+use std::hash::{BuildHasher, Hasher, RandomState};
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
+const BUNNY: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../scenes/bench/w3_bunny_gouraud.toml"
+);
 const CUBE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/cube.toml");
 
 /// Runs `fixel` in a shell's hands.
@@ -89,15 +94,29 @@ fn what_is_read_is_not_written_over() {
 fn interrupted_by(signal: i32) {
     let folder = Folder::new();
     // Long enough that a signal comes in time on a slow machine, too: some 500 ms.
-    let words = format!("animate {CUBE} --frames 400 -o cube.gif");
+    for (words, out) in [
+        (format!("animate {CUBE} --frames 400 -o out.gif"), "out.gif"),
+        (format!("bake {BUNNY} -o out.fxl"), "out.fxl"),
+    ] {
+        interrupted(&folder, &words, out, signal);
+    }
+}
+
+/// A part of a time, another each time.
+fn some_of(time: Duration) -> Duration {
+    let random = RandomState::new().build_hasher().finish();
+    time.mul_f64(random as f64 / u64::MAX as f64)
+}
+
+fn interrupted(folder: &Folder, words: &str, out: &str, signal: i32) {
     let begun = Instant::now();
-    folder.fixel(&words).ok();
-    let took = begun.elapsed();
-    let whole = std::fs::read(folder.path("cube.gif")).unwrap();
+    folder.fixel(words).ok();
+    let mut took = begun.elapsed();
+    let whole = std::fs::read(folder.path(out)).unwrap();
     let mut interrupted = 0;
-    for sixteenths in [1, 2, 4, 8, 12, 16, 20] {
-        let delay = took * sixteenths / 16;
-        folder.write("cube.gif", "old");
+    for _ in 0..10 {
+        let delay = some_of(took);
+        folder.write(out, "old");
         let mut child = Command::new(env!("CARGO_BIN_EXE_fixel"))
             .current_dir(folder.path(""))
             .args(words.split_whitespace())
@@ -110,13 +129,18 @@ fn interrupted_by(signal: i32) {
             .args([format!("-{signal}"), child.id().to_string()])
             .status();
         let status = child.wait().unwrap();
-        let found = std::fs::read(folder.path("cube.gif")).unwrap();
+        let found = std::fs::read(folder.path(out)).unwrap();
         if status.success() {
-            assert!(found == whole, "after {delay:?}");
+            assert!(found == whole, "{words}: after {delay:?}");
+            // It takes less than it did the first time.
+            took = took * 3 / 4;
         } else {
             assert_eq!(status.signal(), Some(signal));
             interrupted += 1;
-            assert!(found == whole || found == b"old", "after {delay:?}");
+            assert!(
+                found == whole || found == b"old",
+                "{words}: after {delay:?}"
+            );
         }
     }
     assert!(interrupted > 0, "every run was done before a signal came");

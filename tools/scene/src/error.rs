@@ -37,9 +37,26 @@ impl Error {
     }
 }
 
-/// Messages may quote input or come from a crate that likes several lines.
-fn one_line(message: &str) -> String {
-    message.split_whitespace().collect::<Vec<_>>().join(" ")
+/// A message as one line that a terminal can show, its middle left out if it is long. Messages
+/// may quote input, which may hold what a terminal takes for orders, or be as long as a file;
+/// or come from a crate that likes several lines.
+pub fn one_line(message: &str) -> String {
+    const BEGIN: usize = 700;
+    const END: usize = 300;
+    let words = message.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut line = String::new();
+    let count = words.chars().count();
+    for (at, c) in words.chars().enumerate() {
+        match c {
+            _ if at == BEGIN && count > BEGIN + END => line.push_str(" ... "),
+            _ if at > BEGIN && at + END < count => {}
+            c if c.is_control() => line.extend(c.escape_default()),
+            // They turn the direction of what comes after them.
+            '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => line.extend(c.escape_unicode()),
+            c => line.push(c),
+        }
+    }
+    line
 }
 
 impl fmt::Display for Error {
@@ -56,3 +73,25 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+#[cfg(test)]
+mod tests {
+    use super::one_line;
+
+    #[test]
+    fn a_message_is_a_line_that_a_terminal_can_show() {
+        assert_eq!(one_line("a\n  b\tc "), "a b c");
+        assert_eq!(
+            one_line("\u{1b}[2Jé\u{7}\u{202e}x"),
+            "\\u{1b}[2Jé\\u{7}\\u{202e}x"
+        );
+        let line = one_line(&format!("begin {}; end", "x".repeat(5_000_000)));
+        assert_eq!(line.chars().count(), 1005);
+        assert!(
+            line.starts_with("begin xx") && line.ends_with("xx; end"),
+            "{line}"
+        );
+        assert!(line.contains("x ... x"), "{line}");
+        assert_eq!(one_line(&"x".repeat(1000)).len(), 1000);
+    }
+}

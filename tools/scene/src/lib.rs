@@ -22,7 +22,7 @@ mod texture;
 use std::path::Path;
 
 pub use description::*;
-pub use error::Error;
+pub use error::{Error, one_line};
 pub use fence::Fenced;
 pub use files::{Disk, Files, InMemory};
 pub use loader::Loader;

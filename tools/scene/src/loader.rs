@@ -8,6 +8,9 @@ use crate::files::{Disk, Files, Origin};
 use crate::panel::Screen;
 use crate::{bare, file, mesh};
 
+/// Bytes of a scene file: what is read of it takes up to a hundred times as many.
+const MAX_TEXT: usize = 8 << 20;
+
 /// Reads a scene or a bare mesh as [`crate::load`] does, from other files or for another
 /// panel than the scene's.
 ///
@@ -71,6 +74,13 @@ impl<'a> Loader<'a> {
         let scene = if mesh::extension(path) == "toml" {
             let bytes = self.files.read(path);
             let bytes = bytes.map_err(|what| Error::new(path, what))?;
+            if bytes.len() > MAX_TEXT {
+                let found = bytes.len();
+                let what = format!(
+                    "has {found} bytes; expected at most {MAX_TEXT}, and meshes in files of their own"
+                );
+                return Err(Error::new(path, what));
+            }
             let text = std::str::from_utf8(&bytes).map_err(|error| {
                 let line = mesh::line_of(&bytes, error.valid_up_to());
                 Error::at_line(path, line, "not UTF-8; expected a TOML file in UTF-8")

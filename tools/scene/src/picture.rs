@@ -7,7 +7,7 @@ use image::{ImageError, ImageFormat, ImageReader, Limits};
 use crate::texture::Texture;
 
 /// More than this a side is no picture for a microcontroller.
-const MOST_PX: u32 = 8192;
+const MOST_PX: u32 = 4096;
 /// What decoding may take.
 const MOST_BYTES: u64 = 512 << 20;
 

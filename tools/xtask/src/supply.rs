@@ -1,21 +1,24 @@
 //! What comes from elsewhere: licences that go with ours, one version of each package where
-//! that can be had, nothing that is not used, and a reason for each (docs/dependencies.md).
+//! that can be had, nothing that is not used, a reason for each (docs/dependencies.md), and
+//! no known vulnerability, where what is known of them can be had.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use serde_json::Value;
 use spdx::{Expression, LicenseReq, ParseMode};
 
-use crate::problem::Result;
+use crate::problem::{Problem, Result};
 use crate::report::Tally;
 use crate::{child, paths, test};
 
 /// Folders with a lock file of their own.
-const WORKSPACES: [&str; 13] = [
+const WORKSPACES: [&str; 14] = [
     "",
     "examples",
+    "fuzz",
     "tools/hostbench",
     "targets/cortex-m",
     "targets/demo",
@@ -30,13 +33,14 @@ const WORKSPACES: [&str; 13] = [
 ];
 /// Licences of others' code that MIT or Apache-2.0 programs may hold without a condition
 /// beyond naming it.
-const LICENCES: [&str; 8] = [
+const LICENCES: [&str; 9] = [
     "0BSD",
     "Apache-2.0",
     "BSD-2-Clause",
     "BSD-3-Clause",
     "ISC",
     "MIT",
+    "NCSA",
     "Unicode-3.0",
     "Zlib",
 ];
@@ -49,18 +53,24 @@ const TWICE: [&str; 6] = [
     "rustix",
     "syn",
 ];
+/// How long the database of advisories may take to come.
+const FETCH_LIMIT: Duration = Duration::from_secs(300);
 /// The page that has a reason for each package.
 const PAGE: &str = "docs/dependencies.md";
 
 /// Checks all of it.
 pub fn run(tally: &mut Tally) {
     let mut direct = BTreeSet::new();
+    let known = tally.need("advisories", has_database()).is_some();
     for folder in WORKSPACES {
         let name = if folder.is_empty() {
             "the workspace"
         } else {
             folder
         };
+        if known {
+            tally.check(&format!("advisories of {name}"), advisories(folder));
+        }
         let described = Described::of(&paths::root().join(folder));
         let Some(described) = tally.need(&format!("packages of {name}"), described) else {
             continue;
@@ -76,6 +86,38 @@ pub fn run(tally: &mut Tally) {
     let text = fs::read_to_string(&page).map_err(|error| format!("{PAGE}: {error}").into());
     let result = text.and_then(|text: String| reasons(&text, &direct));
     tally.check("a reason for each package", result);
+}
+
+/// `cargo deny` in a workspace, and what it says if it fails.
+fn deny(folder: &str, words: &[&str]) -> std::result::Result<(), String> {
+    let manifest = paths::root().join(folder).join("Cargo.toml");
+    // Of all its members, not only of the one at its root.
+    let mut command = test::cargo(&["deny", "--workspace", "--manifest-path"]);
+    command.arg(manifest).args(words);
+    match child::bounded(&mut command, FETCH_LIMIT) {
+        Ok(run) if run.success => Ok(()),
+        Ok(run) => Err(run.stderr + &run.stdout),
+        Err(problem) => Err(problem.to_string()),
+    }
+}
+
+/// Whether `cargo deny` and the database of advisories can be had: it is on GitHub alone.
+fn has_database() -> Result<()> {
+    if child::output(&mut test::cargo(&["deny", "--version"])).is_none() {
+        let missing = "no `cargo deny`: `cargo install cargo-deny` would bring it";
+        return Err(Problem::Missing(missing.into()));
+    }
+    deny("", &["fetch", "db"]).map_err(|said| {
+        let line = |word: &str| said.lines().find(|line| line.contains(word));
+        let error = line("fatal: ").or_else(|| line("ERROR"));
+        let error = error.unwrap_or("it does not say why").trim();
+        Problem::Missing(format!("`cargo deny fetch db` got no database: {error}"))
+    })
+}
+
+/// Fails if one is known of a package that a workspace builds.
+fn advisories(folder: &str) -> Result<()> {
+    Ok(deny(folder, &["check", "advisories"])?)
 }
 
 /// What cargo says of a workspace and all that it is built from.

@@ -1,5 +1,7 @@
 //! `[[actor]]`.
 
+use std::collections::HashMap;
+
 use glam::DVec3;
 
 use super::annotation::{list_of_places, places};
@@ -162,28 +164,62 @@ pub(super) fn actor(
 
 /// Gives actors their parents, by name: in `tables`, one an actor.
 pub(super) fn parents(tables: &[Table<'_, '_>], actors: &mut [Actor]) -> Result<(), Error> {
+    let mut numbers = HashMap::new();
+    for (index, actor) in actors.iter().enumerate() {
+        numbers.entry(actor.name.clone()).or_insert(index);
+    }
     for (index, table) in tables.iter().enumerate() {
         let Some(name) = table.text("parent", "arm")? else {
             continue;
         };
-        let parent = find(table, "parent", name, actors)?;
-        actors[index].parent = Some(parent);
-        // Those before made no ring: a new one goes through this actor.
-        let mut ring = vec![actors[index].name.as_str()];
-        let mut above = Some(parent);
-        while let Some(next) = above {
-            ring.push(&actors[next].name);
-            if next == index {
-                let ring = ring.join("\" of \"");
-                return Err(table.error(
-                    "parent",
-                    format!("goes round in a ring (\"{ring}\"); expected a chain that ends"),
-                ));
+        actors[index].parent = Some(match numbers.get(name) {
+            Some(parent) => *parent,
+            None => find(table, "parent", name, actors)?,
+        });
+    }
+    // How many actors are above those whose chain is known to end.
+    let mut above: Vec<Option<usize>> = vec![None; actors.len()];
+    for start in 0..actors.len() {
+        let mut chain = Vec::new();
+        let mut next = Some(start);
+        while let Some(index) = next.filter(|index| above[*index].is_none()) {
+            // Twice in a chain: it goes round.
+            if chain.len() > actors.len() {
+                return Err(ring(tables, actors, index));
             }
-            above = actors[next].parent;
+            chain.push(index);
+            next = actors[index].parent;
+        }
+        for index in chain.into_iter().rev() {
+            let parent = actors[index].parent.and_then(|parent| above[parent]);
+            let count = parent.map_or(0, |parent| parent + 1);
+            if count > MOST_PARENTS {
+                let what =
+                    format!("is one too many; expected at most {MOST_PARENTS} above an actor");
+                return Err(tables[index].error("parent", what));
+            }
+            above[index] = Some(count);
         }
     }
     Ok(())
+}
+
+/// A ring of parents that goes through an actor: at the last of them in the file, which
+/// closes it.
+fn ring(tables: &[Table<'_, '_>], actors: &[Actor], through: usize) -> Error {
+    let above = |index: &usize| actors[*index].parent;
+    let mut ring = vec![through];
+    ring.extend(std::iter::successors(above(&through), above).take_while(|at| *at != through));
+    let last = ring.iter().copied().max().unwrap_or(through);
+    let from_last = std::iter::successors(Some(last), above);
+    let names = from_last.map(|at| format!("\"{}\"", actors[at].name));
+    let mut names: Vec<String> = names.take(ring.len() + 1).collect();
+    if names.len() > FEW {
+        names.splice(FEW / 2..names.len() - FEW / 2, ["others".to_owned()]);
+    }
+    let names = names.join(" of ");
+    let what = format!("goes round in a ring ({names}); expected a chain that ends");
+    tables[last].error("parent", what)
 }
 
 /// An actor by its name.
@@ -203,9 +239,13 @@ pub(super) fn find(
     })
 }
 
+/// Actors above an actor, as a blob has them at most.
+const MOST_PARENTS: usize = 16;
+/// Names that a message lists.
+const FEW: usize = 8;
+
 /// Names to choose from, for a message: the first few.
 fn one_of<'n>(names: impl Iterator<Item = &'n String>) -> String {
-    const FEW: usize = 8;
     let mut names: Vec<String> = names.take(FEW + 1).map(|n| format!("\"{n}\"")).collect();
     if names.len() > FEW {
         names[FEW] = "another".to_owned();

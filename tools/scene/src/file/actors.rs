@@ -1,5 +1,6 @@
 //! All `[[actor]]` tables, and the meshes that they name.
 
+use std::collections::HashSet;
 use std::path::PathBuf;
 
 use super::actor::{self, Shape};
@@ -92,6 +93,7 @@ pub(super) fn actors(
     let mut actors: Vec<Actor> = Vec::new();
     let mut further = Vec::new();
     let mut tables = Vec::new();
+    let mut names = HashSet::new();
     for (table, header) in many(root, "actor")? {
         let table = Table::new(root.source, "actor", table, header, &actor::ACTOR)?;
         let pieces = pieces(&table, found)?;
@@ -106,7 +108,7 @@ pub(super) fn actors(
                         expected one with them, e.g. vt of an OBJ file";
             return Err(table.error("material", what));
         }
-        if table.has("name") && actors.iter().any(|other| other.name == actor.name) {
+        if !names.insert(actor.name.clone()) && table.has("name") {
             let name = &actor.name;
             let what = format!("\"{name}\" is the name of another; expected a name of its own");
             return Err(table.error("name", what));

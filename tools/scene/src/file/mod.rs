@@ -22,7 +22,7 @@ mod tests;
 mod texture;
 mod viewport;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::ops::{Range, RangeInclusive};
 
 use glam::DVec3;
@@ -50,6 +50,9 @@ const FACTOR: RangeInclusive<f64> = 1e-6..=1e6;
 const SCALE: RangeInclusive<f64> = 0.001..=100.0;
 /// Angles that move stay within this many degrees, either side of 0: 100 turns.
 const TURNS: f64 = 36000.0;
+
+/// Actors that a blob has at most.
+const MOST_ACTORS: usize = 65_534;
 
 const ROOT: Keys = Keys {
     known: &[
@@ -79,10 +82,17 @@ pub(crate) fn parse(
     screen: Option<Screen>,
     notes: &mut Vec<String>,
 ) -> Result<Scene, Error> {
-    let source = Source { origin, text };
+    let source = Source::new(origin, text);
     let document = DeTable::parse(text).map_err(|error| syntax_error(&source, &error))?;
     let root = Table::new(&source, "", document.get_ref(), 0..0, &ROOT)?;
 
+    for name in ["actor", "line", "marker", "text"] {
+        let count = many(&root, name)?.len();
+        if count > MOST_ACTORS {
+            let what = format!("there are {count}; expected at most {MOST_ACTORS} [[{name}]]");
+            return Err(root.error(name, what));
+        }
+    }
     let display = one(&root, "display", &display::DISPLAY)?;
     let mut display = display::display(display.as_ref())?;
     let palette = one(&root, "palette", &palette::PALETTE)?;
@@ -251,10 +261,11 @@ fn many<'t, 'i>(
 /// All materials; a default one if the file has none.
 fn materials(root: &Table<'_, '_>, textures: &mut Vec<Texture>) -> Result<Vec<Material>, Error> {
     let mut materials: Vec<Material> = Vec::new();
+    let mut names = HashSet::new();
     for (table, header) in many(root, "material")? {
         let table = Table::new(root.source, "material", table, header, &material::MATERIAL)?;
         let material = material::material(&table, materials.len(), textures)?;
-        if materials.iter().any(|other| other.name == material.name) {
+        if !names.insert(material.name.clone()) {
             let name = &material.name;
             let what = format!("\"{name}\" is the name of another; expected a name of its own");
             return Err(table.error("name", what));

@@ -13,16 +13,23 @@ use crate::files::Origin;
 #[derive(Debug)]
 pub(crate) struct Source<'a> {
     pub origin: Origin<'a>,
-    pub text: &'a str,
+    text: &'a str,
+    /// Where lines end: each table's line is asked for.
+    ends: Vec<usize>,
 }
 
-impl Source<'_> {
+impl<'a> Source<'a> {
+    pub fn new(origin: Origin<'a>, text: &'a str) -> Self {
+        let ends = text.match_indices('\n').map(|(at, _)| at).collect();
+        Self { origin, text, ends }
+    }
+
     /// Line and column, from 1, of a byte offset.
     pub fn place(&self, offset: usize) -> (usize, usize) {
-        let before = self.text.get(..offset).unwrap_or(self.text);
-        let line = before.matches('\n').count() + 1;
-        let column = before.chars().rev().take_while(|c| *c != '\n').count() + 1;
-        (line, column)
+        let before = self.ends.partition_point(|end| *end < offset);
+        let begin = before.checked_sub(1).map_or(0, |line| self.ends[line] + 1);
+        let left = self.text.get(begin..offset).unwrap_or_default();
+        (before + 1, left.chars().count() + 1)
     }
 
     pub fn error(&self, offset: usize, message: impl Into<String>) -> Error {
@@ -326,15 +333,20 @@ fn found(value: &DeValue<'_>) -> String {
     }
 }
 
+/// Letters of a word that is compared with others.
+const MOST_LETTERS: usize = 100;
+
 /// Text for a key that no table of this kind has.
 fn unknown(word: &str, keys: &Keys) -> String {
     let all = || {
         let later = keys.later.iter().map(|(later, _)| *later);
         keys.known.iter().copied().chain(later)
     };
-    let nearest = all().min_by_key(|key| strsim::damerau_levenshtein(word, key));
-    match nearest {
-        Some(key) if strsim::damerau_levenshtein(word, key) * 2 <= word.len().max(3) => {
+    // A word as long as a file is like none of them.
+    let near = word.len() <= MOST_LETTERS;
+    let distance = |key: &&str| strsim::damerau_levenshtein(word, key);
+    match all().filter(|_| near).min_by_key(distance) {
+        Some(key) if distance(&key) * 2 <= word.len().max(3) => {
             format!("is an unknown key; did you mean {key}?")
         }
         _ => format!(

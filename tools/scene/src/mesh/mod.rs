@@ -33,7 +33,9 @@ pub(crate) use surface::Surface;
 pub(crate) use primitive::{polygon, rectangle, sphere};
 
 /// More than this is a mistake, not a scene for a microcontroller.
-const MAX_TRIANGLES: usize = 4_000_000;
+const MAX_TRIANGLES: usize = 1_000_000;
+/// The same of vertices, before those alike become one.
+const MAX_VERTICES: usize = 3 * MAX_TRIANGLES;
 /// Texture coordinates stay within this, either side of 0.
 const MAX_TEXTURE_COORDINATE: f64 = 1e4;
 /// Coordinates stay within this, either side of 0.
@@ -123,6 +125,13 @@ impl Refusal {
             file: Some(file.to_owned()),
             ..self
         }
+    }
+
+    /// Too many vertices, normals or the like.
+    fn too_many_of(what: &str) -> Self {
+        Self::new(format!(
+            "has too many of \"{what}\"; expected at most {MAX_VERTICES}"
+        ))
     }
 
     /// Too many triangles.

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 
 use super::obj_surface::Materials;
 use super::polygon::{self, Polygons};
-use super::{MAX_TEXTURE_COORDINATE, MAX_TRIANGLES, Refusal, Soup};
+use super::{MAX_TEXTURE_COORDINATE, MAX_TRIANGLES, MAX_VERTICES, Refusal, Soup};
 use crate::description::Rgb;
 use crate::files::Origin;
 
@@ -36,6 +36,15 @@ pub(super) fn read(origin: Origin<'_>, bytes: &[u8]) -> Result<Soup, Refusal> {
             Some("vt") => coordinates.push(texture_coordinates(line, &words)?),
             Some("mtllib") => materials.read(origin, &words[1..], &mut soup)?,
             _ => {}
+        }
+        for (what, count) in [
+            ("v", positions.len()),
+            ("vn", normals.len()),
+            ("vt", coordinates.len()),
+        ] {
+            if count > MAX_VERTICES {
+                return Err(Refusal::too_many_of(what));
+            }
         }
     }
 

@@ -7,7 +7,7 @@ use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{Encoding, Property, PropertyAccess, PropertyAccessResult};
 
 use super::polygon::{self, Polygons};
-use super::{MAX_TEXTURE_COORDINATE, MAX_TRIANGLES, Refusal, Soup};
+use super::{MAX_TEXTURE_COORDINATE, MAX_TRIANGLES, MAX_VERTICES, Refusal, Soup};
 
 /// One vertex, face or strip: the properties that matter of any of them.
 #[derive(Debug, Default)]
@@ -119,6 +119,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, Refusal> {
             return Err(Refusal::new(format!(
                 "says it has {count} items of \"{name}\", more than its bytes"
             )));
+        }
+        if element.count > MAX_VERTICES {
+            return Err(Refusal::too_many_of(name));
         }
         let first_line = reader.line();
         let items = parser

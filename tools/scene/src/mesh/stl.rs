@@ -44,6 +44,9 @@ fn push(soup: &mut Soup, corners: [[f64; 3]; 3]) -> Result<(), Refusal> {
 }
 
 fn binary(bytes: &[u8], count: usize) -> Result<Soup, Refusal> {
+    if count > MAX_TRIANGLES {
+        return Err(Refusal::too_many());
+    }
     let mut soup = Soup::default();
     let facets = bytes[HEADER..].chunks_exact(FACET).take(count);
     for facet in facets {

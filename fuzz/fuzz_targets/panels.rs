@@ -1,0 +1,6 @@
+//! See `fixel_tests::fuzz::panels`.
+#![no_main]
+
+mod repeatable;
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| fixel_tests::fuzz::panels(bytes));
