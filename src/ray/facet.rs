@@ -52,10 +52,10 @@ impl Key {
 }
 
 impl Facet {
-    /// None yet: no mesh has so many meshlets.
-    pub(super) const NONE: Self = Self {
+    /// All zero, so that working memory starts as zeros: a frame begins by clearing it.
+    pub(super) const EMPTY: Self = Self {
         key: Key {
-            meshlet: u32::MAX,
+            meshlet: 0,
             actor: 0,
             triangle: 0,
             fraction: 0,
@@ -65,12 +65,13 @@ impl Facet {
         face: [0; 3],
         normals: [[0; 3]; 3],
         corners: [0; 3],
-        is_plain: true,
+        is_plain: false,
     };
 
     /// Nothing is kept from one frame to the next.
     pub(super) fn clear(&mut self) {
-        self.key = Self::NONE.key;
+        // No mesh has so many meshlets.
+        self.key.meshlet = u32::MAX;
     }
 
     /// The triangle that a ray from a place in the actor's grid has met; `None` of one without

@@ -39,7 +39,7 @@ impl<const ACTORS: usize> RayScratch<ACTORS> {
             gathered: Gathered::EMPTY,
             windows: Windows::EMPTY,
             shades: Shades::NONE,
-            facet: Facet::NONE,
+            facet: Facet::EMPTY,
             lights: RayLights::NONE,
             waiting: WaitingRays::NONE,
         }
