@@ -8,6 +8,7 @@ use glam::{DMat3, DMat4, DQuat, DVec3};
 use gltf::json::validation::Checked;
 use gltf::mesh::Mode;
 use gltf::{Document, Gltf, Node, Primitive, Semantic};
+use percent_encoding::percent_decode_str;
 
 use super::accessor::{self, Buffers};
 use super::gltf_surface::{self, Part};
@@ -125,7 +126,9 @@ pub(super) fn uri_data(origin: Origin<'_>, uri: &str) -> Result<Vec<u8>, String>
             .decode(base64)
             .map_err(|error| format!("its data: URI is not base64: {error}"));
     }
-    let name = uri.replace("%20", " ");
+    let name = percent_decode_str(uri)
+        .decode_utf8()
+        .map_err(|_| format!("\"{uri}\" is no name of a file: it is not UTF-8"))?;
     origin
         .read(&name)
         .map_err(|what| format!("\"{name}\" {what}"))

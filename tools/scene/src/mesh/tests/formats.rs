@@ -1,5 +1,9 @@
+use std::path::Path;
+
 use super::samples::{self, INDICES};
 use super::{load, mesh, refused};
+use crate::Loader;
+use crate::files::InMemory;
 
 /// All samples are the same square, so all give the same mesh, bar the
 /// mirrored one.
@@ -104,6 +108,29 @@ fn gltf_nodes_move_their_meshes() {
     };
     assert!(close(mesh.positions[2], [3.0, 2.0, 5.0]));
     assert!(close(mesh.normals[2], [0.0, -1.0, 0.0]));
+}
+
+/// A URI is no name: what has a meaning in it is written by its number.
+#[test]
+fn gltf_buffers_beside_have_any_name() {
+    let load = |name: &str, uri: &str| {
+        let (text, data) = samples::gltf_beside(uri);
+        let mut files = InMemory::default();
+        files.insert(Path::new("a.gltf"), text.into());
+        files.insert(Path::new(name), data);
+        let loaded = Loader::new(&files).load(Path::new("a.gltf"));
+        loaded.map_err(|error| error.to_string())
+    };
+    for (name, uri) in [
+        ("a square.bin", "a%20square.bin"),
+        ("größe #1.bin", "gr%C3%B6%c3%9fe%20%231.bin"),
+        ("100%.bin", "100%.bin"),
+    ] {
+        let (scene, _) = load(name, uri).unwrap();
+        assert_eq!(scene.meshes[0].triangles.len(), 2, "{uri}");
+    }
+    let message = load("a.bin", "%ff.bin").unwrap_err();
+    assert!(message.contains("\"%ff.bin\" is no name"), "{message}");
 }
 
 #[test]

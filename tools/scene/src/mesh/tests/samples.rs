@@ -124,6 +124,12 @@ pub(super) fn gltf(node: &str, primitive: &str) -> String {
     gltf_json(&uri, node, primitive)
 }
 
+/// With its buffer in a file beside it, and what that holds.
+pub(super) fn gltf_beside(uri: &str) -> (String, Vec<u8>) {
+    let uri = format!(r#", "uri": "{uri}""#);
+    (gltf_json(&uri, "", INDICES), gltf_data())
+}
+
 pub(super) fn glb(node: &str, primitive: &str) -> Vec<u8> {
     glb_of(gltf_json("", node, primitive), gltf_data())
 }
