@@ -82,6 +82,7 @@
 //! | where a point is on the screen, what a pixel shows | [`view::ViewFrame`], [`render::pick`] |
 //! | colours that move without drawing | [`palette`], [`Pose::palette_shift`] |
 //! | number formats | [`math`] |
+//! | the pipeline's stages themselves, for tools | feature `stages`, which no promise holds for |
 //!
 //! What is not used is not linked: see the features in `Cargo.toml`. How each algorithm is done
 //! in integers, with its source and its error bound, is told in the repository's `docs/how/`.
@@ -102,25 +103,52 @@
 #[cfg(test)]
 extern crate std;
 
-pub mod clip;
-pub mod cull;
 pub mod display;
-pub mod fog;
 pub mod frame;
 pub mod immediate;
 mod include;
-pub mod light;
-pub mod line;
 pub mod math;
 pub mod palette;
-pub mod raster;
 #[cfg(feature = "ray")]
 pub mod ray;
 pub mod render;
 pub mod scene;
-pub mod shade;
-pub mod vertex;
 pub mod view;
+
+// Stages of the pipeline take what another one has prepared, not any number: they are public to
+// tools that look inside alone.
+#[cfg(not(feature = "stages"))]
+mod clip;
+#[cfg(feature = "stages")]
+pub mod clip;
+#[cfg(not(feature = "stages"))]
+mod cull;
+#[cfg(feature = "stages")]
+pub mod cull;
+#[cfg(not(feature = "stages"))]
+mod fog;
+#[cfg(feature = "stages")]
+pub mod fog;
+#[cfg(not(feature = "stages"))]
+mod light;
+#[cfg(feature = "stages")]
+pub mod light;
+#[cfg(not(feature = "stages"))]
+mod line;
+#[cfg(feature = "stages")]
+pub mod line;
+#[cfg(not(feature = "stages"))]
+mod raster;
+#[cfg(feature = "stages")]
+pub mod raster;
+#[cfg(not(feature = "stages"))]
+mod shade;
+#[cfg(feature = "stages")]
+pub mod shade;
+#[cfg(not(feature = "stages"))]
+mod vertex;
+#[cfg(feature = "stages")]
+pub mod vertex;
 
 pub use display::{Display, DrawTargetDisplay};
 pub use frame::Band;

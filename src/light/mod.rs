@@ -17,7 +17,7 @@ mod world;
 pub use model::{Lit, Parts, SurfaceLights, sum};
 pub use normal::{face_normal, vertex_normal};
 pub use patch::Patch;
-pub use world::{WorldLight, WorldLights, WorldSums};
+pub use world::{WorldLights, WorldSums};
 
 /// A normal or a direction in an actor's grid; 14 fractional bits.
 pub use crate::math::ShortUnit;

@@ -280,11 +280,6 @@ impl SurfaceLights {
         sum(body, gloss)
     }
 
-    /// Whether there are highlights.
-    pub fn is_shiny(&self) -> bool {
-        self.shiny
-    }
-
     /// The same, highlights by themselves: a texture leaves them as they are.
     #[inline(never)]
     pub fn parts(&self, normal: ShortUnit, place: [i32; 3], tint: Option<[u8; 3]>) -> Parts {

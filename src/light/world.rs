@@ -5,7 +5,7 @@ use super::model::{Source, Sums, shorten};
 use super::{Parts, ShortUnit};
 use crate::math::Scaled;
 use crate::scene::layout::LIGHTS;
-use crate::scene::{LightKind, Material, Scene};
+use crate::scene::{Material, Scene};
 
 /// Places are in units of 4 raw world bits, so that differences fit.
 const SHIFT: u32 = 2;
@@ -43,6 +43,7 @@ impl WorldLights {
     }
 
     /// One of them.
+    #[cfg(feature = "ray")]
     #[inline(always)]
     pub fn get(&self, number: usize) -> Option<WorldLight<'_>> {
         let source = self.sources.get(number)?;
@@ -58,8 +59,9 @@ pub struct WorldLight<'a> {
 
 impl WorldLight<'_> {
     /// Whether it shines from infinitely far.
+    #[cfg(feature = "ray")]
     pub fn is_directional(&self) -> bool {
-        self.source.kind == LightKind::Directional
+        self.source.kind == crate::scene::LightKind::Directional
     }
 
     /// The direction to the light, which is at `from`, at a place (both raw world bits),

@@ -220,7 +220,7 @@ impl<'a> Scene<'a> {
 
     /// The low bits of a meshlet's vertices, below its shifts, for x, y and z, and
     /// the low bits of its normals (see
-    /// [`ModelLights::fine_level`](crate::view::ModelLights::fine_level)); empty if its mesh is not fine.
+    /// `view::ModelLights::fine_level`); empty if its mesh is not fine.
     pub fn meshlet_fine(&self, meshlet: &Meshlet, mesh: &Mesh) -> &'a [[u8; 4]] {
         let Some(offset) = mesh.fine else {
             return &[];
@@ -304,7 +304,7 @@ impl<'a> Scene<'a> {
     }
 
     /// A meshlet's face normals, as
-    /// [`ModelLights::face_level`](crate::view::ModelLights::face_level) takes them,
+    /// `view::ModelLights::face_level` takes them,
     /// little-endian; empty if its mesh has none.
     pub fn meshlet_face_normals(&self, meshlet: &Meshlet, mesh: &Mesh) -> &'a [u32] {
         if !mesh.face_normals {

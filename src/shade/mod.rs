@@ -13,7 +13,6 @@ mod texture;
 mod transparency;
 
 pub use lookup::{Lookup, Pixel, dithered};
-pub use strip::Strip;
 pub use surface::{Attributes, Lighting, Surface, on_texel};
-pub use texture::{Path, Places, Sampler};
+pub use texture::Sampler;
 pub use transparency::{Blend, ScreenDoor, blended};

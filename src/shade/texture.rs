@@ -197,6 +197,7 @@ impl<'a> Sampler<'a> {
 
     /// The path and the place in it of one point, whose texture coordinates are the
     /// mesh's with 8 fractional bits: in the largest copy.
+    #[cfg(feature = "ray")]
     pub fn point(&self, coordinates: [i32; 2]) -> (Path<'a>, [i32; 2]) {
         let (down, up) = (self.coordinates, self.shifts);
         let place = |c: i32, down: i32, up: u32, origin: i64| {

@@ -19,7 +19,7 @@ pub use meshlet::{
 };
 use projection::Perspective;
 pub(crate) use projection::{guard, outcode};
-pub use projection::{outside, project, project_inside};
+pub use projection::{outside, project};
 use screen_vertex::Heights;
 pub use screen_vertex::{Rest, ScreenVertex};
 pub use used::Used;

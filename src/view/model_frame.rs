@@ -42,16 +42,19 @@ impl ModelFrame {
     }
 
     /// Directions of the world to directions of the model.
+    #[cfg(feature = "ray")]
     pub fn to_model(&self) -> &Rotation {
         &self.to_model
     }
 
     /// The grid's centre in the world.
+    #[cfg(feature = "ray")]
     pub fn centre(&self) -> Vec3 {
         self.centre
     }
 
     /// Raw world bits a grid step, and grid steps a raw world bit.
+    #[cfg(feature = "ray")]
     pub fn scales(&self) -> (Scaled, Scaled) {
         (self.step, self.per_bit)
     }
