@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use fixel::display::Display;
 use fixel::frame::BandRows;
 use fixel::palette::Palette;
-use fixel::{Band, Scene, Scratch, render_frame};
+use fixel::{Band, FrameStats, Scene, Scratch, render_frame};
 use fixel_host::{Options, picture as picture_of, render, render_rays};
 use fixel_tests::{load, load_for_rays, root, scenes};
 
@@ -98,6 +98,13 @@ impl Display for Sink {
 }
 
 fn with<const M: usize, const S: usize, const A: usize>(scene: &Scene<'_>, rows: u16) -> Sink {
+    counted::<M, S, A>(scene, rows).0
+}
+
+fn counted<const M: usize, const S: usize, const A: usize>(
+    scene: &Scene<'_>,
+    rows: u16,
+) -> (Sink, FrameStats) {
     let pixels = usize::from(scene.frame_width()) * usize::from(rows);
     let (mut indices, mut depths) = (vec![0; pixels], vec![0; pixels]);
     let mut band =
@@ -107,7 +114,7 @@ fn with<const M: usize, const S: usize, const A: usize>(scene: &Scene<'_>, rows:
     let work = &mut scratch.workspace();
     let Ok(stats) = render_frame(scene, &scene.pose(5), work, &mut band, &mut sink);
     assert_eq!(stats.bands, u32::from(scene.frame_height().div_ceil(rows)));
-    sink
+    (sink, stats)
 }
 
 #[test]
@@ -145,6 +152,36 @@ fn no_capacity_and_no_band_height_changes_a_byte() {
                 "{name} in bands of {rows}"
             );
         }
+    }
+}
+
+/// Lists of just as many meshlets, slots and actors as a frame has, of one less, and of one: the
+/// statistics say how often a list was made anew, and no byte differs.
+#[test]
+fn lists_at_their_bounds_and_beyond() {
+    const MESHLETS: usize = 300;
+    const ACTORS: usize = 20;
+    let (_, baked) = load(&root().join("scenes/many_actors.toml"));
+    let scene = baked.scene().expect("baked a moment ago");
+    let (whole, stats) = counted::<4096, 64, 64>(&scene, scene.frame_height());
+    assert_eq!(usize::from(scene.actor_count()), ACTORS);
+    assert_eq!(stats.meshlets_transformed as usize, MESHLETS);
+    let (rows, height) = (16, scene.frame_height());
+    for (which, (drawn, stats), refills) in [
+        (
+            "all",
+            counted::<MESHLETS, MESHLETS, ACTORS>(&scene, rows),
+            0,
+        ),
+        (
+            "one less",
+            counted::<{ MESHLETS - 1 }, { MESHLETS - 1 }, { ACTORS - 1 }>(&scene, height),
+            1,
+        ),
+        ("one", counted::<1, 1, 1>(&scene, height), 299),
+    ] {
+        assert_eq!(stats.list_refills, refills, "{which}");
+        assert!(drawn.0 == whole.0 && drawn.1 == whole.1, "{which}");
     }
 }
 
