@@ -24,6 +24,16 @@ const TURNTABLE: u32 = 60;
 /// A dark blue, against which any mesh colour stands out.
 const BACKGROUND: [u8; 3] = [0x18, 0x20, 0x2c];
 
+/// Behind it on a display of this colour: on greys that are dithered a dark blue would be black
+/// with stars.
+pub(crate) fn background(colour: ColourFormat) -> Background {
+    let colour = match colour.is_dithered() {
+        true => [0; 3],
+        false => BACKGROUND,
+    };
+    Background::Solid(colour.map(|channel| f64::from(channel) / 255.0))
+}
+
 /// Reads the mesh and builds its scene.
 pub(crate) fn scene(
     origin: Origin<'_>,
@@ -57,12 +67,15 @@ pub(crate) fn scene(
         height: 240,
         colour: ColourFormat::Rgb565,
         dithering: PanelDithering::None,
-        background: Background::Solid(BACKGROUND.map(|channel| f64::from(channel) / 255.0)),
+        background: background(ColourFormat::Rgb565),
         samples: [1, 1],
         stereo: Stereo::None,
     };
     let display = match screen {
-        Some(screen) => screen.of(display),
+        Some(screen) => Display {
+            background: background(screen.panel.colour),
+            ..screen.of(display)
+        },
         None => display,
     };
     // The sphere holds the mesh however it is turned about its middle.

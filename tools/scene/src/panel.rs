@@ -1,5 +1,6 @@
 //! Panels by name: `panel = "st7789-240x240"` stands for width, height and colour.
 
+use crate::bare;
 use crate::description::{ColourFormat, Display, PanelDithering, Scene};
 
 /// A panel in the orientation that its name says.
@@ -202,6 +203,9 @@ impl Screen {
             camera.projection.widen(widening);
         }
         scene.display = self.of(scene.display.clone());
+        if scene.source.bare {
+            scene.display.background = bare::background(self.panel.colour);
+        }
         scene.palette.direct &= self.panel.colour == ColourFormat::Rgb565;
     }
 
@@ -217,6 +221,32 @@ impl Screen {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Loader;
+    use crate::description::Background;
+    use crate::files::InMemory;
+    use std::path::Path;
+
+    /// Loaded for it or shown on it: a mesh alone has black behind it where greys are dithered.
+    #[test]
+    fn no_stars_behind_a_bare_mesh() {
+        let mut files = InMemory::default();
+        let mesh = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        files.insert(Path::new("a.obj"), mesh.to_vec());
+        let screen = |name| Screen {
+            panel: *Panel::named(name).unwrap(),
+            dithering: None,
+        };
+        let load = |loader: Loader<'_>| loader.load(Path::new("a.obj")).unwrap().0;
+        let (grey, coloured) = (screen("ssd1306-128x64"), screen("st7789-240x240"));
+        let black = Background::Solid([0.0; 3]);
+        assert_eq!(load(Loader::new(&files).on(grey)).display.background, black);
+        let mut scene = load(Loader::new(&files).on(coloured));
+        assert_ne!(scene.display.background, black);
+        grey.apply(&mut scene);
+        assert_eq!(scene.display.background, black);
+        coloured.apply(&mut scene);
+        assert_ne!(scene.display.background, black);
+    }
 
     #[test]
     fn names_say_the_size_and_are_different() {
