@@ -100,7 +100,7 @@ impl RayActor {
         let model = ModelFrame::new(actor, place);
         let (step, per_bit) = model.scales();
         let mut centre = model.centre().to_bits();
-        let to_grid = model.to_model().rows;
+        let to_grid = model.world_to_model().rows;
         let (form, steps) = match scene.shape(actor.mesh) {
             Shape::Triangles { first_node, nodes } => {
                 let radius = Scaled::new(scene.mesh(actor.mesh).radius, 0);

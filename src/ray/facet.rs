@@ -2,11 +2,21 @@
 //! last is kept.
 
 use super::actor::{GridPlace, RayActor};
-use super::surface::Need;
 use super::triangle::{Corners, Points, TriangleHit};
 use crate::light::vertex_normal;
 use crate::math::{Unit3, product, unit_vector};
 use crate::scene::{Mesh, Meshlet, Record, Scene};
+
+/// What a surface is wanted for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Need {
+    /// The place.
+    pub place: bool,
+    /// The face's normal.
+    pub face: bool,
+    /// It is lit with the face's normal.
+    pub flat: bool,
+}
 
 /// See the module. Lengths are in `2^-fraction` grid steps.
 #[derive(Debug)]

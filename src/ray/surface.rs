@@ -1,7 +1,7 @@
 //! The surface where a ray meets an actor.
 
 use super::actor::RayActor;
-use super::facet::Facet;
+use super::facet::{Facet, Need};
 use super::grid_ray::GridRay;
 use super::ray::Ray;
 use super::triangle::TriangleHit;
@@ -23,17 +23,6 @@ pub(super) struct Surface {
     pub coordinates: Option<[i32; 2]>,
     /// Seen from behind.
     pub back: bool,
-}
-
-/// What a surface is wanted for.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Need {
-    /// The place.
-    pub place: bool,
-    /// The face's normal.
-    pub face: bool,
-    /// It is lit with the face's normal.
-    pub flat: bool,
 }
 
 impl RayActor {

@@ -43,7 +43,7 @@ impl ModelFrame {
 
     /// Directions of the world to directions of the model.
     #[cfg(feature = "ray")]
-    pub fn to_model(&self) -> &Rotation {
+    pub fn world_to_model(&self) -> &Rotation {
         &self.to_model
     }
 
