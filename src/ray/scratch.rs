@@ -81,7 +81,7 @@ pub struct RayWorkspace<'a> {
     pub(super) windows: &'a mut Windows,
     /// Actors that they may meet.
     pub(super) shades: &'a mut Shades,
-    /// The triangle that a ray met last.
+    /// The triangle that was lit last.
     pub(super) facet: &'a mut Facet,
     pub(super) lights: &'a mut RayLights,
     pub(super) waiting: &'a mut WaitingRays,
