@@ -13,6 +13,12 @@ pub(super) struct Attribute {
 }
 
 impl Attribute {
+    /// 0 everywhere.
+    pub(super) const ZERO: Self = Self {
+        at_row: 0,
+        gradient: Gradient { x: 0, y: 0 },
+    };
+
     /// From its `value` at a vertex to the centre of the pixel in the vertex's
     /// column and in `row`.
     #[inline(always)]
@@ -85,6 +91,14 @@ impl Attribute {
     pub(super) fn aside(self, columns: i32) -> Self {
         Self {
             at_row: self.at(columns),
+            ..self
+        }
+    }
+
+    /// The same, held for `rows` below.
+    pub(super) fn lower(self, rows: i32) -> Self {
+        Self {
+            at_row: self.below(rows, 0),
             ..self
         }
     }

@@ -53,7 +53,7 @@ impl Attributes {
                 let gradient = plane.gradient(b - a, c - a, fraction)?;
                 Attribute::new((a as u32) << (16 - fraction), gradient, place, row)
             }
-            None => Attribute::default(),
+            None => Attribute::ZERO,
         };
         if z.gradient.is_steep() {
             z = steep_depth(shape.sorted, shape.area, depths, row)?;

@@ -236,39 +236,56 @@ impl SmallPlane {
     /// by `v1` and `v2`; `None` if it is steep.
     #[inline(always)]
     pub(super) fn depth(&self, v1: i32, v2: i32) -> Option<Gradient> {
-        const SMALL: i32 = 1 << 14;
-        if ((v1 + SMALL) | (v2 + SMALL)) as u32 >= 2 * SMALL as u32 {
-            return self.wide(v1, v2);
+        if are_wide(v1, v2) {
+            return self.wide(v1, v2, 0, STEEP_BITS);
         }
         self.level(v1, v2)
+    }
+
+    /// The gradient of values within 2^15 either way, without fractional bits: with 14.
+    /// `None` above 2^16 a pixel.
+    #[inline(always)]
+    pub(super) fn value(&self, v1: i32, v2: i32) -> Option<Gradient> {
+        // Four times what depths have.
+        const MORE: i32 = 2;
+        if are_wide(v1, v2) {
+            return self.wide(v1, v2, MORE, MOST_BITS);
+        }
+        self.narrow(v1, v2, MORE, MOST_BITS)
     }
 
     /// The gradient of levels, 4 fractional bits, that differ by less than 2^14; `None`
     /// if it would be steep for a depth.
     #[inline(always)]
     pub(super) fn level(&self, v1: i32, v2: i32) -> Option<Gradient> {
+        self.narrow(v1, v2, 0, STEEP_BITS)
+    }
+
+    /// The same times `2^more`; `None` above `2^bits`.
+    #[inline(always)]
+    fn narrow(&self, v1: i32, v2: i32, more: i32, bits: i32) -> Option<Gradient> {
         let ([x1, y1], [x2, y2]) = (self.d1, self.d2);
         // n / area * 2^(12 + 16 - 4).
-        let up = self.recip.shift as i32 - 6;
-        self.divide([v2 * y1 - v1 * y2, x2 * v1 - x1 * v2], up)
+        let up = self.recip.shift as i32 - 6 + more;
+        self.divide([v2 * y1 - v1 * y2, x2 * v1 - x1 * v2], up, bits)
     }
 
     /// The same where products exceed 31 bits.
     #[inline(never)]
-    fn wide(&self, v1: i32, v2: i32) -> Option<Gradient> {
+    fn wide(&self, v1: i32, v2: i32, more: i32, bits: i32) -> Option<Gradient> {
         let [[x1, y1], [x2, y2]] = [self.d1, self.d2].map(|d| d.map(|side| side << 15));
         let (v1, v2) = (v1 << 11, v2 << 11);
         let x = mul_high(v2, y1) - mul_high(v1, y2);
         let y = mul_high(x2, v1) - mul_high(x1, v2);
-        self.divide([x, y], self.recip.shift as i32)
+        self.divide([x, y], self.recip.shift as i32 + more, bits)
     }
 
-    /// `n * mantissa * 2^(up - 32)`, unless it is steep.
+    /// `n * mantissa * 2^(up - 32)`, unless it is above `2^bits`.
     #[inline(always)]
-    fn divide(&self, n: [i32; 2], up: i32) -> Option<Gradient> {
+    fn divide(&self, n: [i32; 2], up: i32, bits: i32) -> Option<Gradient> {
         // Within 30 bits and a sign.
         let [x, y] = n.map(|n| mul_high(n, self.recip.mantissa));
-        let limit = 1 << (STEEP_BITS - up).clamp(0, 30);
+        let limit = 1 << (bits - up).clamp(0, 30);
         if ((x + limit) | (y + limit)) as u32 >= 2 * limit as u32 {
             return None;
         }
@@ -288,6 +305,16 @@ impl SmallPlane {
         Some(gradient)
     }
 }
+
+/// Whether products of differences would exceed 31 bits.
+#[inline(always)]
+fn are_wide(v1: i32, v2: i32) -> bool {
+    const SMALL: i32 = 1 << 14;
+    ((v1 + SMALL) | (v2 + SMALL)) as u32 >= 2 * SMALL as u32
+}
+
+/// Bits of the largest gradient that fits.
+const MOST_BITS: i32 = 30;
 
 /// A steep gradient's bits.
 const STEEP_BITS: i32 = 16 + SUBPX_BITS as i32 - 2;

@@ -11,10 +11,11 @@ use core::ops::Range;
 use super::attribute::Attribute;
 use super::attributes::steep_depth;
 use super::gradient::SmallPlane;
+use super::scan::Span;
 use super::span::{self, Fill};
 use super::triangle::Seen;
 use crate::frame::Target;
-use crate::math::{Depth, HALF_PX, SUBPX_BITS, SubPx, keep_rolled};
+use crate::math::{HALF_PX, SUBPX_BITS, SubPx, keep_rolled};
 use crate::vertex::ScreenVertex;
 
 /// Most columns and rows from one vertex to another.
@@ -22,7 +23,7 @@ const PIXELS: usize = 16;
 
 /// Whether a triangle is small enough, and within the target's columns.
 #[inline(always)]
-pub(super) fn is_small(seen: &Seen, target: &Target<'_>) -> bool {
+pub(super) fn is_small<C>(seen: &Seen, target: &Target<'_, C>) -> bool {
     let [[left, top], [right, bottom]] = seen.bounds;
     let size = (right - left) | (bottom - top);
     size < (PIXELS as i32) << SUBPX_BITS
@@ -49,16 +50,28 @@ const EMPTY: Spans = {
     spans
 };
 
-/// A small triangle of which a pixel was found.
-struct Small {
+/// The rows of a small triangle of which a pixel was found.
+pub(super) struct Rows {
     spans: Spans,
-    /// Rows that may have pixels.
+    /// Those that may have pixels.
     numbers: Range<usize>,
     /// The leftmost column's place in row 0, in the target.
     start: i32,
-    /// At the leftmost column of row 0.
+    /// The leftmost column, and row 0, on the screen.
+    place: [i32; 2],
+}
+
+/// What changes over a small triangle, at the leftmost column of row 0.
+pub(super) struct Planes<const N: usize> {
     z: Attribute,
-    level: Attribute,
+    values: [Attribute; N],
+}
+
+/// The vertices of a small triangle with what goes with them, counter-clockwise on the screen:
+/// what goes down is on the left.
+#[inline(always)]
+pub(super) fn turned<T>([a, b, c]: [T; 3], seen: &Seen) -> [T; 3] {
+    if seen.area < 0 { [a, b, c] } else { [a, c, b] }
 }
 
 /// Fills a small triangle; `false` if its attributes exceed the formats.
@@ -69,45 +82,114 @@ pub(super) fn fill_small(
     seen: &Seen,
     fill: Fill<'_>,
 ) -> bool {
-    let [[left, _], _] = seen.bounds;
-    let column = left >> SUBPX_BITS;
-    let (first, end) = seen.rows;
-    let [a, b, c] = triangle;
-    // Counter-clockwise on the screen: what goes down is on the left.
-    let triangle = if seen.area < 0 { [a, b, c] } else { [a, c, b] };
-    let mut small = Small {
-        spans: EMPTY,
-        numbers: 0..(end - first) as usize,
-        start: (first - i32::from(target.top)) * i32::from(target.stride) + column,
-        z: Attribute::default(),
-        level: Attribute::default(),
-    };
-    find_spans(&mut small.spans, triangle, [column, first], end - first);
-    let Some(empty) = small
-        .spans
-        .iter()
-        .position(|[left, right, ..]| left < right)
-    else {
+    let triangle = turned(triangle, seen);
+    let mut rows = Rows::new(target, seen);
+    if !rows.find(triangle) {
         return true;
-    };
-    small.numbers.start = empty;
-    let place = [column, first];
+    }
     match fill {
         Fill::Depth => {}
         Fill::Flat(index) => {
-            if !small.set_planes::<false>(triangle, seen, place) {
+            let mut planes = Planes::ZERO;
+            if !set_depth(&mut planes, triangle, seen, rows.place) {
                 return false;
             }
-            small.draw_flat(target, index);
+            draw_flat(&rows, &planes, target, index);
         }
         Fill::Gouraud(shades) => {
-            if !small.set_planes::<true>(triangle, seen, place) {
+            let mut planes = Planes::ZERO;
+            if !set_depth_and_level(&mut planes, triangle, seen, rows.place) {
                 return false;
             }
-            small.draw_gouraud(target, shades);
+            draw_gouraud(&rows, &planes, target, shades);
         }
     }
     true
+}
+
+impl Rows {
+    /// Of a triangle whose pixels are not known yet.
+    #[inline(always)]
+    pub(super) fn new<C>(target: &Target<'_, C>, seen: &Seen) -> Self {
+        let [[left, _], _] = seen.bounds;
+        let column = left >> SUBPX_BITS;
+        let (first, end) = seen.rows;
+        Self {
+            spans: EMPTY,
+            numbers: 0..(end - first) as usize,
+            start: (first - i32::from(target.top)) * i32::from(target.stride) + column,
+            place: [column, first],
+        }
+    }
+
+    /// The pixel from which planes are to be set.
+    pub(super) fn place(&self) -> [i32; 2] {
+        self.place
+    }
+
+    /// Finds the pixels; `false` if there is none.
+    #[inline(always)]
+    pub(super) fn find(&mut self, triangle: [&ScreenVertex; 3]) -> bool {
+        let count = self.numbers.end as i32;
+        find_spans(&mut self.spans, triangle, self.place, count);
+        let mut spans = self.spans.iter();
+        let first = spans.position(|[left, right, ..]| left < right);
+        self.numbers.start = first.unwrap_or(self.numbers.end);
+        first.is_some()
+    }
+
+    /// Hands on each row's pixels, with the attributes of the first.
+    #[inline(always)]
+    pub(super) fn draw<const N: usize, C>(
+        &self,
+        planes: &Planes<N>,
+        target: &mut Target<'_, C>,
+        draw: impl Fn(Span<'_, C>, Steps<N>),
+    ) {
+        let stride = i32::from(target.stride);
+        let spans = self.spans.get(self.numbers.clone()).unwrap_or_default();
+        for [left, right, row, _] in spans {
+            let [left, right, row] = [*left, *right, *row].map(i32::from);
+            if left < right {
+                let start = self.start + row * stride;
+                let pixels = (start + left) as usize..(start + right) as usize;
+                if let (Some(indices), Some(depths)) = (
+                    target.indices.get_mut(pixels.clone()),
+                    target.depths.get_mut(pixels),
+                ) {
+                    let [column, first] = self.place;
+                    let span = Span {
+                        indices,
+                        depths,
+                        place: [column + left, first + row],
+                    };
+                    let Planes { z, values } = planes;
+                    let steps = Steps {
+                        z: (z.below(row, left), z.gradient.x),
+                        values: values.each_ref().map(|v| v.below(row, left)),
+                        change: values.each_ref().map(|v| v.gradient.x),
+                    };
+                    draw(span, steps);
+                }
+            }
+        }
+    }
+}
+
+#[inline(never)]
+fn draw_flat(rows: &Rows, planes: &Planes<0>, target: &mut Target<'_>, index: u8) {
+    rows.draw(planes, target, |span, Steps { z: (z, dz), .. }| {
+        span::flat(span.indices, span.depths, z, dz, index);
+    });
+}
+
+#[inline(never)]
+fn draw_gouraud(rows: &Rows, planes: &Planes<1>, target: &mut Target<'_>, shades: &[u8; 256]) {
+    rows.draw(planes, target, |span, steps| {
+        let ([level], [change]) = (steps.values, steps.change);
+        let level = (level, change);
+        span::gouraud(span.indices, span.depths, steps.z, level, shades);
+    });
 }
 
 /// Finds the pixels of `count` rows between the edges of a triangle, from a pixel on that
@@ -200,27 +282,56 @@ fn follow_down<const LEFT: bool>(
     }
 }
 
-impl Small {
-    /// Sets depth and level at a pixel; `false` if they exceed the formats.
-    #[inline(never)]
-    fn set_planes<const LEVEL: bool>(
+#[inline(never)]
+fn set_depth(
+    planes: &mut Planes<0>,
+    triangle: [&ScreenVertex; 3],
+    seen: &Seen,
+    place: [i32; 2],
+) -> bool {
+    planes.set(triangle, seen, place, |_, _| Some([]))
+}
+
+#[inline(never)]
+fn set_depth_and_level(
+    planes: &mut Planes<1>,
+    triangle: [&ScreenVertex; 3],
+    seen: &Seen,
+    place: [i32; 2],
+) -> bool {
+    planes.set(triangle, seen, place, |plane, place| {
+        let levels = triangle.map(|v| i32::from(v.level().to_bits()));
+        let [a, b, c] = levels.map(|level| level >> 2);
+        let gradient = plane.level(b - a, c - a)?;
+        Some([Attribute::beside((a as u32) << 12, gradient, place)])
+    })
+}
+
+impl<const N: usize> Planes<N> {
+    /// Until they are set.
+    pub(super) const ZERO: Self = Self {
+        z: Attribute::ZERO,
+        values: [Attribute::ZERO; N],
+    };
+
+    /// Sets depth, and what else `values` says of a plane and the place from its first vertex to the
+    /// pixel; `false` if they exceed the formats.
+    #[inline(always)]
+    pub(super) fn set(
         &mut self,
         triangle: [&ScreenVertex; 3],
         seen: &Seen,
         [column, row]: [i32; 2],
+        values: impl FnOnce(&SmallPlane, [i32; 2]) -> Option<[Attribute; N]>,
     ) -> bool {
         let [a, ..] = triangle;
         let plane = SmallPlane::new(triangle, seen.area.unsigned_abs() as u32);
         let centre = |pixel: i32, v: SubPx| (pixel << SUBPX_BITS) + HALF_PX - v.to_bits();
         let place = [centre(column, a.x()), centre(row, a.y())];
-        if LEVEL {
-            let levels = triangle.map(|v| i32::from(v.level().to_bits()));
-            let [la, lb, lc] = levels.map(|level| level >> 2);
-            let Some(gradient) = plane.level(lb - la, lc - la) else {
-                return false;
-            };
-            self.level = Attribute::beside((la as u32) << 12, gradient, place);
-        }
+        let Some(values) = values(&plane, place) else {
+            return false;
+        };
+        self.values = values;
         let depths = triangle.map(|v| v.z().to_bits() as i32);
         let [za, zb, zc] = depths;
         if let Some(gradient) = plane.depth(zb - za, zc - za) {
@@ -233,47 +344,12 @@ impl Small {
         }
         steep.is_some()
     }
-
-    #[inline(never)]
-    fn draw_flat(&self, target: &mut Target<'_>, index: u8) {
-        self.draw(target, |span, z, dz, _, _| {
-            span::flat(span.indices, span.depths, z, dz, index);
-        });
-    }
-
-    #[inline(never)]
-    fn draw_gouraud(&self, target: &mut Target<'_>, shades: &[u8; 256]) {
-        self.draw(target, |span, z, dz, level, dl| {
-            span::gouraud(span.indices, span.depths, (z, dz), (level, dl), shades);
-        });
-    }
-
-    /// Hands on each row's pixels, with the attributes of the first and their steps.
-    #[inline(always)]
-    fn draw(&self, target: &mut Target<'_>, draw: impl Fn(Span<'_>, u32, i32, u32, i32)) {
-        let stride = i32::from(target.stride);
-        let spans = self.spans.get(self.numbers.clone()).unwrap_or_default();
-        for [left, right, row, _] in spans {
-            let [left, right, row] = [*left, *right, *row].map(i32::from);
-            if left < right {
-                let start = self.start + row * stride;
-                let pixels = (start + left) as usize..(start + right) as usize;
-                if let (Some(indices), Some(depths)) = (
-                    target.indices.get_mut(pixels.clone()),
-                    target.depths.get_mut(pixels),
-                ) {
-                    let span = Span { indices, depths };
-                    let Self { z, level, .. } = self;
-                    let (z_here, level_here) = (z.below(row, left), level.below(row, left));
-                    draw(span, z_here, z.gradient.x, level_here, level.gradient.x);
-                }
-            }
-        }
-    }
 }
 
-/// The pixels of a row.
-struct Span<'t> {
-    indices: &'t mut [u8],
-    depths: &'t mut [Depth],
+/// What changes along a row: depth and other values at its first pixel, and their changes a
+/// pixel.
+pub(super) struct Steps<const N: usize> {
+    pub z: (u32, i32),
+    pub values: [u32; N],
+    pub change: [i32; N],
 }

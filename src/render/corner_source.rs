@@ -22,6 +22,15 @@ pub(super) struct CornerSource<'a> {
 }
 
 impl CornerSource<'_> {
+    /// The attributes of a triangle's corners.
+    pub fn values<const A: usize>(&self, triangle: &Triangle<'_>) -> [Values<A>; 3] {
+        let whole = triangle.indices.map(|index| self.attributes(index).1);
+        match triangle.cuts {
+            None => whole,
+            Some(cuts) => cuts.map(|cut| weighted(&whole, cut.weights)),
+        }
+    }
+
     /// The corners of a triangle.
     pub fn of<const A: usize>(&self, triangle: &Triangle<'_>) -> [Corner<A>; 3] {
         let (view, indices) = (self.part.view, triangle.indices);

@@ -10,7 +10,7 @@ use crate::frame::{Stored, Target};
 use crate::light::{Parts, Patch, SurfaceLights, sum};
 use crate::math::FineLevel;
 use crate::raster::{Drawn, How, MOST_ATTRIBUTES, Shade, Sides, SurfaceKind};
-use crate::raster::{draw_surface, draw_triangle};
+use crate::raster::{draw_shaded, draw_surface, draw_triangle};
 use crate::scene::Transparency;
 use crate::scene::layout::TEXTURE_SHADES;
 use crate::shade::{Attributes, Blend, Lighting, Sampler, ScreenDoor, Surface};
@@ -118,8 +118,8 @@ struct Surfaces<'a, 't, P: Paint> {
 impl<P: Paint> Draw for Surfaces<'_, '_, P> {
     fn draw(&mut self, triangle: &Triangle<'_>) -> Drawn {
         let part = self.corners.part;
-        let lighting = self.corners.surface.attributes.lighting;
-        let through = self.through;
+        let attributes = &self.corners.surface.attributes;
+        let (lighting, through) = (attributes.lighting, self.through);
         if let (Way::Levels(shades), Lighting::Face, Through::Nothing) =
             (self.way, lighting, through)
         {
@@ -153,6 +153,16 @@ impl<P: Paint> Draw for Surfaces<'_, '_, P> {
             sampler,
             through,
         };
+        let drawn = match lighting {
+            Lighting::Face => self.shaded::<0>(&others),
+            Lighting::Colour => self.shaded::<3>(&others),
+            Lighting::Pixel if attributes.tinted => self.shaded::<9>(&others),
+            Lighting::Pixel => self.shaded::<6>(&others),
+            Lighting::Level => None,
+        };
+        if let Some(drawn) = drawn {
+            return drawn;
+        }
         let (kind, sides) = (self.kind, self.sides);
         draw_runs::<MOST_ATTRIBUTES, _, _>(self.target, &others.runs, sides, kind, &others)
     }
@@ -165,6 +175,28 @@ impl<P: Paint> Draw for Surfaces<'_, '_, P> {
 }
 
 impl<P: Paint> Surfaces<'_, '_, P> {
+    /// Draws a triangle pixel by pixel, if that is enough and it has `A` attributes.
+    fn shaded<const A: usize>(&mut self, others: &Others<'_, P>) -> Option<Drawn> {
+        let attributes = &self.corners.surface.attributes;
+        if attributes.textured
+            || attributes.count() != A
+            || matches!(self.through, Through::Blend(_))
+        {
+            return None;
+        }
+        let runs = &others.runs;
+        let (perspective, corners) = (self.corners.perspective, runs.triangle.corners);
+        let values = &mut || runs.values::<A>();
+        draw_shaded::<A, _>(
+            self.target,
+            corners,
+            self.sides,
+            perspective,
+            values,
+            others,
+        )
+    }
+
     fn texels<const A: usize>(
         &mut self,
         runs: Runs<'_, P>,

@@ -9,7 +9,7 @@ use crate::fog::Haze;
 use crate::frame::Stored;
 use crate::light::{Parts, sum};
 use crate::math::Depth;
-use crate::raster::{Corner, MOST_ATTRIBUTES, Run, Shade};
+use crate::raster::{Corner, MOST_ATTRIBUTES, Run, Shade, ShadePixel, Values};
 use crate::scene::layout::{COLOURS, TEXTURE_SHADES};
 use crate::shade::{Blend, Lookup, Pixel, Sampler, ScreenDoor, Surface, on_texel};
 
@@ -50,6 +50,12 @@ impl<'a, P: Paint> Runs<'a, P> {
             triangle,
             face: Cell::default(),
         }
+    }
+
+    /// The attributes of the corners of a triangle that is drawn.
+    pub fn values<const A: usize>(&self) -> [Values<A>; 3] {
+        self.face.set(self.corners.face(self.triangle));
+        self.corners.values(self.triangle)
     }
 
     /// The corners of a triangle that is drawn.
@@ -137,6 +143,38 @@ impl<P: Paint> Shade<MOST_ATTRIBUTES, P::Stored> for Others<'_, P> {
             Through::Door(door) => door.shade(&mut run, |run| self.whole(run)),
             Through::Blend(blend) => self.blend(&blend, self.runs.corners.part.haze, run),
         }
+    }
+}
+
+impl<const A: usize, P: Paint> ShadePixel<A, P::Stored> for Others<'_, P> {
+    #[inline(always)]
+    fn pixel(&self, place: [i32; 2], values: &Values<A>, _: P::Stored) -> Option<P::Stored> {
+        if let Through::Door(door) = self.through
+            && !door.shows(place)
+        {
+            return None;
+        }
+        let lookup = match self.way {
+            Way::Levels(shades) => Lookup::Levels(shades),
+            Way::Colours(colours) => Lookup::Colours(colours),
+            // Textures go by runs.
+            Way::Texels(_) => return None,
+        };
+        let Runs {
+            paint,
+            ids,
+            surface,
+            ref face,
+            ..
+        } = self.runs;
+        let Parts { body, gloss } = surface.light_alone(values, face.get());
+        let pixel = Pixel {
+            lookup,
+            lit: sum(body, gloss),
+            place,
+            texel: [0; 2],
+        };
+        Some(paint.surface(&pixel, ids))
     }
 }
 

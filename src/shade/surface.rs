@@ -93,16 +93,32 @@ impl Surface<'_> {
                 body: [channel(a), channel(b), channel(c)],
                 gloss: [channel(d), channel(e), channel(f)],
             },
-            Lighting::Pixel => {
-                // Whatever length is left of the interpolated normal.
-                let normal = direction([a, b, c]).map_or([0; 3], |(unit, _)| unit);
-                let place = [d, e, f].map(|c| c >> RUN_FRACTION);
-                let byte = |c: i32| (c >> (RUN_FRACTION + 6)).clamp(0, 255) as u8;
-                let tint = self.attributes.tinted.then(|| [r, g, u].map(byte));
-                self.lights
-                    .map_or(Parts::default(), |lights| lights.parts(normal, place, tint))
-            }
+            Lighting::Pixel => self.lit([a, b, c], [d, e, f], [r, g, u]),
         }
+    }
+
+    /// The same where there is nothing but light's attributes, as many as there are.
+    #[inline(always)]
+    pub fn light_alone<const N: usize>(&self, values: &[i32; N], face: Parts) -> Parts {
+        match *values.as_slice() {
+            [] => face,
+            [a, b, c] => body([a, b, c].map(channel)),
+            [a, b, c, d, e, f] => self.lit([a, b, c], [d, e, f], [0; 3]),
+            [a, b, c, d, e, f, r, g, u] => self.lit([a, b, c], [d, e, f], [r, g, u]),
+            _ => Parts::default(),
+        }
+    }
+
+    /// Light of a pixel by itself.
+    #[inline(always)]
+    fn lit(&self, normal: [i32; 3], place: [i32; 3], tint: [i32; 3]) -> Parts {
+        // Whatever length is left of the interpolated normal.
+        let normal = direction(normal).map_or([0; 3], |(unit, _)| unit);
+        let place = place.map(|c| c >> RUN_FRACTION);
+        let byte = |c: i32| (c >> (RUN_FRACTION + 6)).clamp(0, 255) as u8;
+        let tint = self.attributes.tinted.then(|| tint.map(byte));
+        self.lights
+            .map_or(Parts::default(), |lights| lights.parts(normal, place, tint))
     }
 }
 

@@ -1,0 +1,237 @@
+//! Triangles of surfaces whose attributes may as well be interpolated along the screen: their
+//! pixels are shaded one by one, in the ways that a light level goes. Most of a fine mesh are,
+//! and runs, which [`draw_surface`](super::draw_surface) hands on, cost more than their few pixels.
+
+use super::attribute::Attribute;
+use super::attributes::Attributes;
+use super::gradient::{Plane, SmallPlane};
+use super::run::{RUN_FRACTION, Values};
+use super::scan::{Shape, Span, Stepped, scan};
+use super::small::{Planes, Rows, Steps, is_small, turned};
+use super::triangle::{Drawn, Seen, Sides, shown, sort};
+use crate::frame::{Stored, Target};
+use crate::math::{Depth, SUBPX_BITS, keep_rolled};
+use crate::vertex::ScreenVertex;
+
+/// What is done with pixels. Not a closure, because that is not inlined where it is called.
+pub trait ShadePixel<const A: usize, C> {
+    /// What stands at a screen column and row instead of `behind`, if the surface has that pixel;
+    /// attributes as in a [`Run`](super::Run).
+    fn pixel(&self, place: [i32; 2], values: &Values<A>, behind: C) -> Option<C>;
+}
+
+/// Draws a triangle if it shows one of `sides`, pixel by pixel; `None` if its attributes have to
+/// be interpolated in space. Those of the vertices are asked for only when they are needed.
+#[inline(never)]
+pub fn draw_shaded<const A: usize, C: Stored>(
+    target: &mut Target<'_, C>,
+    triangle: [&ScreenVertex; 3],
+    sides: Sides,
+    perspective: bool,
+    values: &mut dyn FnMut() -> [Values<A>; 3],
+    shade: &impl ShadePixel<A, C>,
+) -> Option<Drawn> {
+    let seen = match shown(target, triangle, sides) {
+        Ok(seen) => seen,
+        Err(drawn) => return Some(drawn),
+    };
+    let values = values();
+    if perspective && in_space(triangle, &values, &seen) {
+        return None;
+    }
+    let [a, b, c] = triangle;
+    let [va, vb, vc] = &values;
+    let with = [(a, va), (b, vb), (c, vc)];
+    let done = if is_small(&seen, target) {
+        fill_small(target, with, &seen, shade)
+    } else {
+        fill_large(target, with, &seen, shade)
+    };
+    done.then(|| seen.filled())
+}
+
+/// A vertex with its attributes.
+type With<'a, const A: usize> = (&'a ScreenVertex, &'a Values<A>);
+
+/// Whether interpolation along the screen may be off by a level, as with
+/// [levels](super::perspective::shows): a level is 64 units, of which places and normals have
+/// more than light, which is what is seen of them.
+#[inline(never)]
+fn in_space<const A: usize>(
+    triangle: [&ScreenVertex; 3],
+    values: &[Values<A>; 3],
+    seen: &Seen,
+) -> bool {
+    let [[left, _], [right, _]] = seen.bounds;
+    if right - left < 8 << SUBPX_BITS {
+        return false;
+    }
+    let [a, b, c] = triangle.map(|v| v.z().to_bits() >> 4);
+    let (near, far) = (a.max(b).max(c), a.min(b).min(c));
+    let mut most = 0;
+    let [a, b, c] = values;
+    for ((a, b), c) in a.iter().zip(b).zip(c) {
+        let (a, b, c) = (a >> RUN_FRACTION, b >> RUN_FRACTION, c >> RUN_FRACTION);
+        most = most.max(a.max(b).max(c).abs_diff(a.min(b).min(c)));
+    }
+    // 14 bits, as light has at most, and 16.
+    most.min(255 << 6) * (near - far) > (far << (2 + 6))
+}
+
+/// Fills a small triangle; `false` if its attributes exceed the formats.
+#[inline(always)]
+fn fill_small<const A: usize, C: Stored>(
+    target: &mut Target<'_, C>,
+    triangle: [With<'_, A>; 3],
+    seen: &Seen,
+    shade: &impl ShadePixel<A, C>,
+) -> bool {
+    let with = turned(triangle, seen);
+    let triangle = with.map(|(v, _)| v);
+    let mut rows = Rows::new(target, seen);
+    if !rows.find(triangle) {
+        return true;
+    }
+    let mut planes = Planes::ZERO;
+    let values = with.map(|(_, values)| values);
+    let set = planes.set(triangle, seen, rows.place(), |plane, place| {
+        beside(plane, values, place)
+    });
+    if set {
+        rows.draw(&planes, target, |span, steps| pixels(span, steps, shade));
+    }
+    set
+}
+
+/// The attributes of a small triangle.
+#[inline(always)]
+fn beside<const A: usize>(
+    plane: &SmallPlane,
+    [a, b, c]: [&Values<A>; 3],
+    place: [i32; 2],
+) -> Option<[Attribute; A]> {
+    let mut all = [Attribute::ZERO; A];
+    for (((attribute, a), b), c) in all.iter_mut().zip(a).zip(b).zip(c) {
+        let [whole, b, c] = [a, b, c].map(|v| v >> RUN_FRACTION);
+        let gradient = plane.value(b - whole, c - whole)?;
+        *attribute = Attribute::beside(*a as u32, gradient, place).unrounded_value();
+        keep_rolled();
+    }
+    Some(all)
+}
+
+/// Fills a triangle of any size; `false` if its attributes exceed the formats.
+#[inline(never)]
+fn fill_large<const A: usize, C: Stored>(
+    target: &mut Target<'_, C>,
+    triangle: [With<'_, A>; 3],
+    seen: &Seen,
+    shade: &impl ShadePixel<A, C>,
+) -> bool {
+    let (sorted, flipped) = sort(triangle);
+    let shape = Shape {
+        sorted: sorted.map(|(v, _)| v),
+        area: if flipped { -seen.area } else { seen.area },
+        rows: seen.rows,
+        perspective: false,
+    };
+    let values = sorted.map(|(_, values)| values);
+    let [top, ..] = shape.sorted;
+    let column = top.x().to_bits() >> SUBPX_BITS;
+    let (first, _) = shape.rows;
+    let Some(planes) = Stepping::new(&shape, values, first) else {
+        return false;
+    };
+    scan(
+        target,
+        &shape,
+        |row| Some(planes.on(row - first)),
+        |span, at| {
+            let [left, _] = span.place;
+            pixels(span, at.steps(left - column), shade);
+        },
+        |_| {},
+    );
+    true
+}
+
+/// What changes over a triangle, on one row, at the top vertex's column.
+#[derive(Clone, Copy)]
+struct Stepping<const A: usize> {
+    z: Attribute,
+    values: [Attribute; A],
+}
+
+impl<const A: usize> Stepped for Stepping<A> {
+    fn advance(&mut self) {
+        self.z.advance();
+        self.values.iter_mut().for_each(Attribute::advance);
+    }
+}
+
+impl<const A: usize> Stepping<A> {
+    fn new(shape: &Shape<'_>, [a, b, c]: [&Values<A>; 3], row: i32) -> Option<Self> {
+        let plane = Plane::new(shape.sorted, shape.area);
+        let [top, ..] = shape.sorted;
+        let place = [top.x().to_bits(), top.y().to_bits()];
+        let mut values = [Attribute::ZERO; A];
+        for (((attribute, a), b), c) in values.iter_mut().zip(a).zip(b).zip(c) {
+            let [whole, b, c] = [a, b, c].map(|v| v >> RUN_FRACTION);
+            // Gradients have 16 fractional bits of fourfold values.
+            let fraction = 16 - RUN_FRACTION as i32;
+            let gradient = plane.gradient(b - whole, c - whole, fraction)?;
+            *attribute = Attribute::new(*a as u32, gradient, place, row).unrounded_value();
+        }
+        let z = Attributes::depth(shape, row)?;
+        Some(Self { z, values })
+    }
+
+    /// The same some rows below.
+    fn on(&self, rows: i32) -> Self {
+        Self {
+            z: self.z.lower(rows),
+            values: self.values.map(|v| v.lower(rows)),
+        }
+    }
+
+    #[inline(always)]
+    fn steps(&self, columns: i32) -> Steps<A> {
+        let values = self.values.each_ref();
+        Steps {
+            z: (self.z.at(columns), self.z.gradient.x),
+            values: values.map(|v| v.at(columns)),
+            change: values.map(|v| v.gradient.x),
+        }
+    }
+}
+
+/// A row's pixels.
+#[inline(always)]
+fn pixels<const A: usize, C: Stored>(
+    span: Span<'_, C>,
+    steps: Steps<A>,
+    shade: &impl ShadePixel<A, C>,
+) {
+    let Steps {
+        z: (mut z, dz),
+        mut values,
+        change,
+    } = steps;
+    let [mut column, row] = span.place;
+    for (pixel, depth) in span.indices.iter_mut().zip(span.depths) {
+        let here = (z >> 16) as Depth;
+        if here > *depth {
+            let own = values.map(|v| v as i32);
+            if let Some(shaded) = shade.pixel([column, row], &own, *pixel) {
+                *pixel = shaded;
+                *depth = here;
+            }
+        }
+        column += 1;
+        z = z.wrapping_add_signed(dz);
+        for (value, change) in values.iter_mut().zip(change) {
+            *value = value.wrapping_add_signed(change);
+        }
+        keep_rolled();
+    }
+}
