@@ -17,7 +17,10 @@ use crate::vertex::ScreenVertex;
 pub trait ShadePixel<const A: usize, C> {
     /// What stands at a screen column and row instead of `behind`, if the surface has that pixel;
     /// attributes as in a [`Run`](super::Run).
-    fn pixel(&self, place: [i32; 2], values: &Values<A>, behind: C) -> Option<C>;
+    fn pixel(&self, place: [i32; 2], depth: Depth, values: &Values<A>, behind: C) -> Option<C>;
+
+    /// Whether what lies behind its pixels is hidden by them.
+    fn hides(&self) -> bool;
 }
 
 /// Draws a triangle if it shows one of `sides`, pixel by pixel; `None` if its attributes have to
@@ -217,14 +220,16 @@ fn pixels<const A: usize, C: Stored>(
         mut values,
         change,
     } = steps;
-    let [mut column, row] = span.place;
+    let ([mut column, row], hides) = (span.place, shade.hides());
     for (pixel, depth) in span.indices.iter_mut().zip(span.depths) {
         let here = (z >> 16) as Depth;
         if here > *depth {
             let own = values.map(|v| v as i32);
-            if let Some(shaded) = shade.pixel([column, row], &own, *pixel) {
+            if let Some(shaded) = shade.pixel([column, row], here, &own, *pixel) {
                 *pixel = shaded;
-                *depth = here;
+                if hides {
+                    *depth = here;
+                }
             }
         }
         column += 1;

@@ -3,7 +3,7 @@
 use super::draw::Part;
 use super::triangles::Triangle;
 use crate::clip::WEIGHT_BITS;
-use crate::light::{Parts, Patch, face_normal};
+use crate::light::{Parts, Patch, face_normal, sum};
 use crate::raster::{Corner, RUN_FRACTION, Values};
 use crate::shade::{Lighting, Sampler, Surface};
 use crate::vertex::{surface_point, vertex};
@@ -22,8 +22,16 @@ pub(super) struct CornerSource<'a> {
 }
 
 impl CornerSource<'_> {
-    /// The attributes of a triangle's corners.
+    /// The attributes of a triangle's corners, of a face its light.
     pub fn values<const A: usize>(&self, triangle: &Triangle<'_>) -> [Values<A>; 3] {
+        if self.surface.attributes.lighting == Lighting::Face {
+            let Parts { body, gloss } = self.face(triangle);
+            let mut values = [0; A];
+            for (value, c) in values.iter_mut().zip(sum(body, gloss)) {
+                *value = fine(c.into());
+            }
+            return [values; 3];
+        }
         let whole = triangle.indices.map(|index| self.attributes(index).1);
         match triangle.cuts {
             None => whole,

@@ -1,5 +1,7 @@
 //! Meshlets of materials that need more than a level a corner.
 
+use core::cell::Cell;
+
 use super::corner_source::CornerSource;
 use super::draw::Part;
 use super::paint::Paint;
@@ -152,12 +154,11 @@ impl<P: Paint> Draw for Surfaces<'_, '_, P> {
             way,
             sampler,
             through,
+            fog_row: Cell::default(),
         };
         let drawn = match lighting {
-            Lighting::Face => self.shaded::<0>(&others),
-            Lighting::Colour => self.shaded::<3>(&others),
-            Lighting::Pixel if attributes.tinted => self.shaded::<9>(&others),
-            Lighting::Pixel => self.shaded::<6>(&others),
+            Lighting::Face | Lighting::Colour => self.shaded::<3>(&others),
+            Lighting::Pixel => self.shaded::<9>(&others),
             Lighting::Level => None,
         };
         if let Some(drawn) = drawn {
@@ -175,26 +176,18 @@ impl<P: Paint> Draw for Surfaces<'_, '_, P> {
 }
 
 impl<P: Paint> Surfaces<'_, '_, P> {
-    /// Draws a triangle pixel by pixel, if that is enough and it has `A` attributes.
+    /// Draws a triangle pixel by pixel, if that is enough; `A` attributes are at most as many as
+    /// it has, or a face's light.
     fn shaded<const A: usize>(&mut self, others: &Others<'_, P>) -> Option<Drawn> {
         let attributes = &self.corners.surface.attributes;
-        if attributes.textured
-            || attributes.count() != A
-            || matches!(self.through, Through::Blend(_))
-        {
+        if attributes.textured {
             return None;
         }
-        let runs = &others.runs;
-        let (perspective, corners) = (self.corners.perspective, runs.triangle.corners);
-        let values = &mut || runs.values::<A>();
-        draw_shaded::<A, _>(
-            self.target,
-            corners,
-            self.sides,
-            perspective,
-            values,
-            others,
-        )
+        let triangle = others.runs.triangle;
+        let perspective = self.corners.perspective && attributes.lighting != Lighting::Face;
+        let values = &mut || self.corners.values(triangle);
+        let (corners, sides) = (triangle.corners, self.sides);
+        draw_shaded::<A, _>(self.target, corners, sides, perspective, values, others)
     }
 
     fn texels<const A: usize>(

@@ -5,7 +5,6 @@ use core::cell::Cell;
 use super::corner_source::CornerSource;
 use super::paint::{Ids, Paint};
 use super::triangles::Triangle;
-use crate::fog::Haze;
 use crate::frame::Stored;
 use crate::light::{Parts, sum};
 use crate::math::Depth;
@@ -50,12 +49,6 @@ impl<'a, P: Paint> Runs<'a, P> {
             triangle,
             face: Cell::default(),
         }
-    }
-
-    /// The attributes of the corners of a triangle that is drawn.
-    pub fn values<const A: usize>(&self) -> [Values<A>; 3] {
-        self.face.set(self.corners.face(self.triangle));
-        self.corners.values(self.triangle)
     }
 
     /// The corners of a triangle that is drawn.
@@ -133,6 +126,8 @@ pub(super) struct Others<'a, P> {
     pub way: Way<'a>,
     pub sampler: Option<&'a Sampler<'a>>,
     pub through: Through<'a>,
+    /// Of the fog's table, the last pixel's row.
+    pub fog_row: Cell<usize>,
 }
 
 impl<P: Paint> Shade<MOST_ATTRIBUTES, P::Stored> for Others<'_, P> {
@@ -141,14 +136,20 @@ impl<P: Paint> Shade<MOST_ATTRIBUTES, P::Stored> for Others<'_, P> {
         match self.through {
             Through::Nothing => self.whole(run),
             Through::Door(door) => door.shade(&mut run, |run| self.whole(run)),
-            Through::Blend(blend) => self.blend(&blend, self.runs.corners.part.haze, run),
+            Through::Blend(blend) => self.blend(&blend, run),
         }
     }
 }
 
 impl<const A: usize, P: Paint> ShadePixel<A, P::Stored> for Others<'_, P> {
     #[inline(always)]
-    fn pixel(&self, place: [i32; 2], values: &Values<A>, _: P::Stored) -> Option<P::Stored> {
+    fn pixel(
+        &self,
+        place: [i32; 2],
+        depth: Depth,
+        values: &Values<A>,
+        behind: P::Stored,
+    ) -> Option<P::Stored> {
         if let Through::Door(door) = self.through
             && !door.shows(place)
         {
@@ -164,17 +165,23 @@ impl<const A: usize, P: Paint> ShadePixel<A, P::Stored> for Others<'_, P> {
             paint,
             ids,
             surface,
-            ref face,
             ..
-        } = self.runs;
-        let Parts { body, gloss } = surface.light_alone(values, face.get());
+        } = &self.runs;
         let pixel = Pixel {
             lookup,
-            lit: sum(body, gloss),
+            lit: surface.light_alone(values),
             place,
             texel: [0; 2],
         };
-        Some(paint.surface(&pixel, ids))
+        if let Through::Blend(blend) = &self.through {
+            return Some(self.over(blend, pixel, depth, behind));
+        }
+        Some(paint.surface(&pixel, *ids))
+    }
+
+    #[inline(always)]
+    fn hides(&self) -> bool {
+        !matches!(self.through, Through::Blend(_))
     }
 }
 
@@ -233,12 +240,7 @@ impl<P: Paint> Others<'_, P> {
 
     /// Mixes a run of pixels with what is behind them, which stays as near as it is.
     #[inline(never)]
-    fn blend(
-        &self,
-        blend: &Blend<'_>,
-        haze: Option<&Haze>,
-        run: Run<'_, MOST_ATTRIBUTES, P::Stored>,
-    ) -> usize {
+    fn blend(&self, blend: &Blend<'_>, run: Run<'_, MOST_ATTRIBUTES, P::Stored>) -> usize {
         let pixels = run.indices.len();
         // Blended materials go by colour.
         let Way::Colours(colours) = self.way else {
@@ -247,7 +249,7 @@ impl<P: Paint> Others<'_, P> {
         let ([left, row], face) = (run.place, self.runs.face.get());
         let textured = self.sampler.map(|sampler| (sampler, sampler.path(&run)));
         let count = textured.as_ref().map_or(pixels, |(_, (_, count))| *count);
-        let ((z, dz), mut fog_row) = (run.depth, 0);
+        let (z, dz) = run.depth;
         run.cut(count)
             .draw::<MOST_ATTRIBUTES>(false, |number, values, behind| {
                 let light = self.runs.surface.light(values, face);
@@ -258,21 +260,32 @@ impl<P: Paint> Others<'_, P> {
                         (on_texel(light, sampler.colour(path, at)?), at)
                     }
                 };
-                let lit = match haze {
-                    Some(haze) => {
-                        let depth = z.wrapping_add_signed(dz.wrapping_mul(number)) >> 16;
-                        haze.over(lit, depth as Depth, &mut fog_row)
-                    }
-                    None => lit,
-                };
                 let pixel = Pixel {
                     lookup: Lookup::Colours(colours),
                     lit,
                     place: [left + number, row],
                     texel,
                 };
-                Some(self.runs.paint.blend(&pixel, behind, blend))
+                let depth = z.wrapping_add_signed(dz.wrapping_mul(number)) >> 16;
+                Some(self.over(blend, pixel, depth as Depth, behind))
             });
         count
+    }
+
+    /// A pixel, in the fog, over what is behind it.
+    #[inline(always)]
+    fn over(
+        &self,
+        blend: &Blend<'_>,
+        mut pixel: Pixel<'_>,
+        depth: Depth,
+        behind: P::Stored,
+    ) -> P::Stored {
+        if let Some(haze) = self.runs.corners.part.haze {
+            let mut fog_row = self.fog_row.get();
+            pixel.lit = haze.over(pixel.lit, depth, &mut fog_row);
+            self.fog_row.set(fog_row);
+        }
+        self.runs.paint.blend(&pixel, behind, blend)
     }
 }

@@ -1,6 +1,6 @@
 //! Light over a surface.
 
-use crate::light::{Lit, Parts, SurfaceLights};
+use crate::light::{Lit, Parts, SurfaceLights, sum};
 use crate::math::direction;
 use crate::raster::RUN_FRACTION;
 use crate::scene::{Material, Shading};
@@ -97,15 +97,17 @@ impl Surface<'_> {
         }
     }
 
-    /// The same where there is nothing but light's attributes, as many as there are.
+    /// The same where nothing comes before light's attributes: three of a colour, or nine of
+    /// what is lit at each pixel, whether or not it is tinted.
     #[inline(always)]
-    pub fn light_alone<const N: usize>(&self, values: &[i32; N], face: Parts) -> Parts {
+    pub fn light_alone<const N: usize>(&self, values: &[i32; N]) -> Lit {
         match *values.as_slice() {
-            [] => face,
-            [a, b, c] => body([a, b, c].map(channel)),
-            [a, b, c, d, e, f] => self.lit([a, b, c], [d, e, f], [0; 3]),
-            [a, b, c, d, e, f, r, g, u] => self.lit([a, b, c], [d, e, f], [r, g, u]),
-            _ => Parts::default(),
+            [a, b, c] => [a, b, c].map(channel),
+            [a, b, c, d, e, f, r, g, u] => {
+                let Parts { body, gloss } = self.lit([a, b, c], [d, e, f], [r, g, u]);
+                sum(body, gloss)
+            }
+            _ => [0; 3],
         }
     }
 
@@ -138,7 +140,7 @@ pub fn on_texel(light: Parts, texel: [u32; 3]) -> Lit {
         // 255 is 1.
         *c = ((u32::from(*c) * (t + (t >> 7)) + (1 << 7)) >> 8) as u16;
     }
-    crate::light::sum(body, light.gloss)
+    sum(body, light.gloss)
 }
 
 /// A channel, rounded; interpolation may leave its range by a rounding.
