@@ -81,19 +81,29 @@ impl Surface<'_> {
     /// Light where the attributes are `values`; `face` is the face's, if it has one.
     #[inline(always)]
     pub fn light<const N: usize>(&self, values: &[i32; N], face: Parts) -> Parts {
-        let light = values.get(self.attributes.before_light()..);
-        let mut all = [0; 9];
-        let light = light.unwrap_or_default().iter();
-        all.iter_mut().zip(light).for_each(|(v, c)| *v = *c);
-        let [a, b, c, d, e, f, r, g, u] = all;
+        let first = self.attributes.before_light();
+        // One by one: a copy of them would be made in memory.
+        let own = |which| values.get(first + which).copied().unwrap_or(0);
+        let three = |from| [own(from), own(from + 1), own(from + 2)];
         match self.attributes.lighting {
             Lighting::Face => face,
-            Lighting::Level => body([channel(a); 3]),
+            Lighting::Level => body([channel(own(0)); 3]),
             Lighting::Colour => Parts {
-                body: [channel(a), channel(b), channel(c)],
-                gloss: [channel(d), channel(e), channel(f)],
+                body: three(0).map(channel),
+                gloss: if self.attributes.glossy {
+                    three(3).map(channel)
+                } else {
+                    [0; 3]
+                },
             },
-            Lighting::Pixel => self.lit([a, b, c], [d, e, f], [r, g, u]),
+            Lighting::Pixel => {
+                let tint = if self.attributes.tinted {
+                    three(6)
+                } else {
+                    [0; 3]
+                };
+                self.lit(three(0), three(3), tint)
+            }
         }
     }
 
