@@ -4,7 +4,9 @@
 use super::recip::leading_zeros;
 use super::wide::mul_high_u;
 
-/// `mantissa * 2^exponent`, not negative; relative error below 2^-29 an operation.
+/// `mantissa * 2^exponent`, not negative; relative error below 2^-29 an operation. Exponents of
+/// new ones are within 2^12 either way; those of products add up, for which there is room in
+/// any formula: nothing is held to a range that no sum of a few comes near.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Scaled {
     /// 2^31.. or 0.
@@ -51,7 +53,7 @@ impl Scaled {
         let up = u32::from(mantissa >> 31 == 0);
         Self {
             mantissa: mantissa << up,
-            exponent: exponent.saturating_sub(up as i32).clamp(-4096, 4096),
+            exponent: exponent - up as i32,
         }
     }
 
@@ -71,7 +73,7 @@ impl Scaled {
             } else {
                 (self, other)
             };
-        let down = large.exponent.saturating_sub(small.exponent).clamp(0, 31);
+        let down = (large.exponent - small.exponent).clamp(0, 31);
         let small = (small.mantissa >> 1) >> down;
         Self::nearly_normal((large.mantissa >> 1) + small, large.exponent + 1)
     }
@@ -79,8 +81,10 @@ impl Scaled {
     /// `2^by` times as much.
     #[must_use]
     pub fn shifted(self, by: i32) -> Self {
-        let exponent = self.exponent.saturating_add(by).clamp(-4096, 4096);
-        Self { exponent, ..self }
+        Self {
+            exponent: self.exponent + by,
+            ..self
+        }
     }
 
     /// With `bits` fractional bits, rounded down; saturates.

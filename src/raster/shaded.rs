@@ -23,14 +23,26 @@ pub trait ShadePixel<const A: usize, C> {
     fn hides(&self) -> bool;
 }
 
+/// When attributes are to be interpolated in space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InSpace {
+    /// Never: on the screen they are the same.
+    Never,
+    /// Where the attributes themselves, which are light, would be off by a level on the screen.
+    Light,
+    /// Where any light that is made of them might be.
+    Anything,
+}
+
 /// Draws a triangle if it shows one of `sides`, pixel by pixel; `None` if its attributes have to
-/// be interpolated in space. Those of the vertices are asked for only when they are needed.
+/// be interpolated in space, or exceed the formats. Those of the vertices are asked for only when
+/// they are needed.
 #[inline(never)]
 pub fn draw_shaded<const A: usize, C: Stored>(
     target: &mut Target<'_, C>,
     triangle: [&ScreenVertex; 3],
     sides: Sides,
-    perspective: bool,
+    in_space: InSpace,
     values: &mut dyn FnMut() -> [Values<A>; 3],
     shade: &impl ShadePixel<A, C>,
 ) -> Option<Drawn> {
@@ -39,7 +51,7 @@ pub fn draw_shaded<const A: usize, C: Stored>(
         Err(drawn) => return Some(drawn),
     };
     let values = values();
-    if perspective && in_space(triangle, &values, &seen) {
+    if in_space.shows(triangle, &values, &seen) {
         return None;
     }
     let [a, b, c] = triangle;
@@ -56,29 +68,40 @@ pub fn draw_shaded<const A: usize, C: Stored>(
 /// A vertex with its attributes.
 type With<'a, const A: usize> = (&'a ScreenVertex, &'a Values<A>);
 
-/// Whether interpolation along the screen may be off by a level, as with
-/// [levels](super::perspective::shows): a level is 64 units, of which places and normals have
-/// more than light, which is what is seen of them.
+impl InSpace {
+    /// Whether interpolation along the screen may be seen, as with a
+    /// [level](super::perspective::shows).
+    #[inline(always)]
+    fn shows<const A: usize>(
+        self,
+        triangle: [&ScreenVertex; 3],
+        values: &[Values<A>; 3],
+        seen: &Seen,
+    ) -> bool {
+        let [[left, _], [right, _]] = seen.bounds;
+        if right - left < 8 << SUBPX_BITS {
+            return false;
+        }
+        // 14 bits.
+        let difference = match self {
+            Self::Never => return false,
+            Self::Light => most_difference(values),
+            Self::Anything => 255 << 6,
+        };
+        let [a, b, c] = triangle.map(|v| v.z().to_bits() >> 4);
+        let (near, far) = (a.max(b).max(c), a.min(b).min(c));
+        difference * (near - far) > far << (2 + 6)
+    }
+}
+
+/// By how much an attribute that is light differs from corner to corner.
 #[inline(never)]
-fn in_space<const A: usize>(
-    triangle: [&ScreenVertex; 3],
-    values: &[Values<A>; 3],
-    seen: &Seen,
-) -> bool {
-    let [[left, _], [right, _]] = seen.bounds;
-    if right - left < 8 << SUBPX_BITS {
-        return false;
-    }
-    let [a, b, c] = triangle.map(|v| v.z().to_bits() >> 4);
-    let (near, far) = (a.max(b).max(c), a.min(b).min(c));
+fn most_difference<const A: usize>([a, b, c]: &[Values<A>; 3]) -> u32 {
     let mut most = 0;
-    let [a, b, c] = values;
     for ((a, b), c) in a.iter().zip(b).zip(c) {
-        let (a, b, c) = (a >> RUN_FRACTION, b >> RUN_FRACTION, c >> RUN_FRACTION);
-        most = most.max(a.max(b).max(c).abs_diff(a.min(b).min(c)));
+        most = most.max(a.max(b).max(c).abs_diff(*a.min(b).min(c)));
     }
-    // 14 bits, as light has at most, and 16.
-    most.min(255 << 6) * (near - far) > (far << (2 + 6))
+    (most >> RUN_FRACTION).min(255 << 6)
 }
 
 /// Fills a small triangle; `false` if its attributes exceed the formats.

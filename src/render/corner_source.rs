@@ -84,7 +84,8 @@ impl CornerSource<'_> {
             Lighting::Face => {}
             Lighting::Level => {
                 let kept = part.transformed.vertices.get(usize::from(index));
-                put(&[fine(kept.map_or(0, |v| i32::from(v.level().to_bits())))]);
+                // Of grey all channels are the same; a texel takes one.
+                put(&[fine(kept.map_or(0, |v| i32::from(v.level().to_bits()))); 3]);
             }
             Lighting::Colour if attributes.textured => {
                 let (place, normal) = self.point(index);

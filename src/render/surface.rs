@@ -11,7 +11,7 @@ use super::triangles::{Done, Draw, Triangle, triangles};
 use crate::frame::{Stored, Target};
 use crate::light::{Parts, Patch, SurfaceLights, sum};
 use crate::math::FineLevel;
-use crate::raster::{Drawn, How, MOST_ATTRIBUTES, Shade, Sides, SurfaceKind};
+use crate::raster::{Drawn, How, InSpace, MOST_ATTRIBUTES, Shade, Sides, SurfaceKind};
 use crate::raster::{draw_shaded, draw_surface, draw_triangle};
 use crate::scene::Transparency;
 use crate::scene::layout::TEXTURE_SHADES;
@@ -157,9 +157,9 @@ impl<P: Paint> Draw for Surfaces<'_, '_, P> {
             fog_row: Cell::default(),
         };
         let drawn = match lighting {
-            Lighting::Face | Lighting::Colour => self.shaded::<3>(&others),
+            _ if attributes.textured => None,
+            Lighting::Face | Lighting::Level | Lighting::Colour => self.shaded::<3>(&others),
             Lighting::Pixel => self.shaded::<9>(&others),
-            Lighting::Level => None,
         };
         if let Some(drawn) = drawn {
             return drawn;
@@ -176,18 +176,18 @@ impl<P: Paint> Draw for Surfaces<'_, '_, P> {
 }
 
 impl<P: Paint> Surfaces<'_, '_, P> {
-    /// Draws a triangle pixel by pixel, if that is enough; `A` attributes are at most as many as
-    /// it has, or a face's light.
+    /// Draws a triangle without texture pixel by pixel, if that is enough.
     fn shaded<const A: usize>(&mut self, others: &Others<'_, P>) -> Option<Drawn> {
-        let attributes = &self.corners.surface.attributes;
-        if attributes.textured {
-            return None;
-        }
         let triangle = others.runs.triangle;
-        let perspective = self.corners.perspective && attributes.lighting != Lighting::Face;
+        let in_space = match self.corners.surface.attributes.lighting {
+            _ if !self.corners.perspective => InSpace::Never,
+            Lighting::Face => InSpace::Never,
+            Lighting::Level | Lighting::Colour => InSpace::Light,
+            Lighting::Pixel => InSpace::Anything,
+        };
         let values = &mut || self.corners.values(triangle);
         let (corners, sides) = (triangle.corners, self.sides);
-        draw_shaded::<A, _>(self.target, corners, sides, perspective, values, others)
+        draw_shaded::<A, _>(self.target, corners, sides, in_space, values, others)
     }
 
     fn texels<const A: usize>(

@@ -164,13 +164,18 @@ impl Counter {
                 self.large_gouraud(&seen);
             }
             Way::Surface(surface) => {
-                let runs = if self.perspective {
-                    let longest = RunPx::new(corners, surface.cut_out);
-                    seen.runs(|middle| longest.at(middle))
+                if self.is_shaded(surface, corners) {
+                    self.shaded(&seen, surface);
                 } else {
-                    seen.runs(|_| LONGEST_RUN_PX)
-                };
-                self.surface(&seen, runs, surface, actor);
+                    let runs = if self.perspective {
+                        let longest = RunPx::new(corners, surface.cut_out);
+                        seen.runs(|middle| longest.at(middle))
+                    } else {
+                        seen.runs(|_| LONGEST_RUN_PX)
+                    };
+                    self.runs(&seen, runs, surface);
+                }
+                self.pixels(&seen, surface, actor);
             }
         }
     }
@@ -216,14 +221,43 @@ impl Counter {
         self.add(Term::LargeGouraudPxInFront, seen.in_front);
     }
 
-    fn surface(&mut self, seen: &Seen, runs: f64, surface: Surface, actor: usize) {
+    /// Whether a triangle is drawn pixel by pixel.
+    fn is_shaded(&self, surface: Surface, corners: [&ScreenVertex; 3]) -> bool {
+        let most = match surface.lighting {
+            Lighting::Face => 0.0,
+            Lighting::Level | Lighting::Colour => levels_differ(corners),
+            Lighting::Pixel => f64::from(255 << 6),
+        };
+        !surface.textured && !(self.perspective && bend(corners, most))
+    }
+
+    fn shaded(&mut self, seen: &Seen, surface: Surface) {
+        let (attributes, shown) = match surface.lighting {
+            Lighting::Pixel => (9.0, surface.shown(seen)),
+            _ => (3.0, surface.shown(seen)),
+        };
+        let triangle = if seen.small {
+            Term::SmallShaded
+        } else {
+            Term::LargeShaded
+        };
+        self.add(triangle, 1.0);
+        self.add(Term::ShadedAttribute, attributes);
+        self.add(Term::ShadedRow, seen.rows);
+        self.add(Term::ShadedRowAttribute, seen.rows * attributes);
+        self.add(Term::ShadedPx, seen.px);
+        self.add(Term::ShadedPxAttribute, seen.px * attributes);
+        self.add(Term::ShadedPxInFront, shown);
+    }
+
+    fn runs(&mut self, seen: &Seen, runs: f64, surface: Surface) {
         let Surface { attributes, .. } = surface;
         self.add(Term::SurfaceTriangle, 1.0);
         self.add(Term::SurfaceTriangleAttribute, attributes);
         self.add(Term::SurfaceRow, seen.rows);
         self.add(Term::SurfaceRowAttribute, seen.rows * attributes);
         self.add(Term::SurfacePx, seen.px);
-        let texels = surface.textured && !surface.coloured && !surface.blended && !surface.door;
+        let texels = surface.is_texels();
         if texels {
             self.add(Term::TexelSpan, seen.spans());
             self.add(Term::TexelRun, runs);
@@ -245,12 +279,16 @@ impl Counter {
         if surface.cut_out {
             self.add(Term::CutOutPx, seen.px);
         }
-        // What is mixed changes no depth.
-        let shown = if surface.blended {
-            seen.px
-        } else {
-            seen.in_front
-        };
+        if !texels {
+            let shown = surface.shown(seen);
+            self.add(Term::SurfacePxInFront, shown);
+            self.add(Term::SurfacePxAttribute, shown * attributes);
+        }
+    }
+
+    /// What is done at a surface's pixels, however its attributes get there.
+    fn pixels(&mut self, seen: &Seen, surface: Surface, actor: usize) {
+        let shown = surface.shown(seen);
         let Kernel { lights, tinted, .. } = self.kernels[actor];
         let by_face = surface.lighting == Lighting::Face;
         let lit = match surface.lighting {
@@ -263,7 +301,7 @@ impl Counter {
             _ => Term::Lit,
         };
         lights.shine(&mut self.work, what, lit, tinted);
-        if texels {
+        if surface.is_texels() {
             let texel = if by_face {
                 Term::FaceTexelPx
             } else {
@@ -272,8 +310,6 @@ impl Counter {
             self.add(texel, shown);
             return;
         }
-        self.add(Term::SurfacePxInFront, shown);
-        self.add(Term::SurfacePxAttribute, shown * attributes);
         if surface.coloured {
             let colour = if by_face {
                 Term::FaceColourPx
@@ -329,15 +365,25 @@ impl Counter {
     }
 }
 
-/// Whether levels are divided by distance; as the core decides it.
+/// Whether levels are divided by distance.
 fn levels_bend(corners: [&ScreenVertex; 3]) -> bool {
+    bend(corners, levels_differ(corners))
+}
+
+/// By how much corners' levels differ.
+fn levels_differ(corners: [&ScreenVertex; 3]) -> f64 {
+    let (least, most) = span::ends(corners.map(|v| f64::from(v.level().to_bits())));
+    most - least
+}
+
+/// Whether distance bends what differs by so much; as the core decides it.
+fn bend(corners: [&ScreenVertex; 3], difference: f64) -> bool {
     let (left, right) = span::ends(corners.map(|v| f64::from(v.x().to_bits())));
     if right - left < f64::from(8 << SUBPX_BITS) {
         return false;
     }
     let (far, near) = span::ends(corners.map(|v| f64::from(v.z().to_bits() >> 4)));
-    let (least, most) = span::ends(corners.map(|v| f64::from(v.level().to_bits())));
-    (most - least) * (near - far) > far * 256.0
+    difference * (near - far) > far * 256.0
 }
 
 impl<P: Paint> Paint for Counting<'_, P> {

@@ -5,6 +5,7 @@ use fixel::math::Scaled;
 use fixel::scene::{DitherPattern, LightKind, Look, Shading, Transparency};
 use fixel::shade::{Attributes, Lighting};
 
+use crate::seen::Seen;
 use crate::term::{Term, Work};
 
 /// What of an actor decides on its work.
@@ -154,6 +155,16 @@ impl Kernel {
 }
 
 impl Surface {
+    /// Whether kernels of texels by level draw it.
+    pub fn is_texels(&self) -> bool {
+        self.textured && !self.coloured && !self.blended && !self.door
+    }
+
+    /// How many of a triangle's pixels are shown: what is mixed changes no depth.
+    pub fn shown(&self, seen: &Seen) -> f64 {
+        if self.blended { seen.px } else { seen.in_front }
+    }
+
     /// Whether light is worked out where it is drawn, by the meshlet's own lights.
     pub fn lit_here(&self) -> bool {
         matches!(self.lighting, Lighting::Face | Lighting::Pixel)

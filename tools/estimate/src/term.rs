@@ -113,7 +113,23 @@ terms! {
     HidingRow,
     /// A pixel of such a triangle.
     HidingPx,
-    /// A triangle with any few attributes.
+    /// A surface's triangle of at most 16 by 16 pixels whose pixels are shaded one by one.
+    SmallShaded,
+    /// A larger one.
+    LargeShaded,
+    /// An attribute of one of these.
+    ShadedAttribute,
+    /// A row of one.
+    ShadedRow,
+    /// An attribute in such a row.
+    ShadedRowAttribute,
+    /// A pixel of one.
+    ShadedPx,
+    /// An attribute at such a pixel.
+    ShadedPxAttribute,
+    /// Such a pixel that is in front, but for what follows.
+    ShadedPxInFront,
+    /// A triangle with any few attributes, in runs.
     SurfaceTriangle,
     /// An attribute of such a triangle.
     SurfaceTriangleAttribute,
