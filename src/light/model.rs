@@ -294,6 +294,18 @@ impl SurfaceLights {
         sums.parts(&self.channels, self.shiny, tint)
     }
 
+    /// By how much light may differ between places whose normals differ by so much in a
+    /// component (14 fractional bits), in 1/64 of a level: anything that there is, if more
+    /// than the normal decides on it.
+    pub fn contrast(&self, normals: u32) -> u32 {
+        let mut lights = self.sources.iter().take(self.count);
+        if self.shiny || lights.any(|source| source.kind != LightKind::Directional) {
+            return FULL;
+        }
+        // Two, as a difference has three components.
+        (normals.min(FULL) * 2 * self.count as u32).min(FULL)
+    }
+
     fn towards_eye(&self, place: [i32; 3]) -> ShortUnit {
         match self.eye {
             Seen::Along(direction) => direction,

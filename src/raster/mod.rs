@@ -30,7 +30,7 @@ mod triangle;
 
 pub use corners::{Corner, SurfaceKind};
 pub use run::{Footprint, LONGEST_RUN, MOST_ATTRIBUTES, RUN_FRACTION, Run, Shade, Values};
-pub use shaded::{InSpace, ShadePixel, draw_shaded};
+pub use shaded::{ShadePixel, draw_shaded};
 pub use span::Fill;
 pub use surface::draw_surface;
 pub use triangle::{Drawn, How, Sides, draw_depth, draw_triangle};

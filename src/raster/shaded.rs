@@ -21,37 +21,30 @@ pub trait ShadePixel<const A: usize, C> {
 
     /// Whether what lies behind its pixels is hidden by them.
     fn hides(&self) -> bool;
-}
 
-/// When attributes are to be interpolated in space.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum InSpace {
-    /// Never: on the screen they are the same.
-    Never,
-    /// Where the attributes themselves, which are light, would be off by a level on the screen.
-    Light,
-    /// Where any light that is made of them might be.
-    Anything,
+    /// By how much light may differ from corner to corner, in 1/64 of a level, at most 255 of them; 0 where
+    /// attributes are the same on the screen and in space.
+    fn contrast(&self, corners: &[Values<A>; 3]) -> u32;
 }
 
 /// Draws a triangle if it shows one of `sides`, pixel by pixel; `None` if its attributes have to
-/// be interpolated in space, or exceed the formats. Those of the vertices are asked for only when
-/// they are needed.
+/// be interpolated in space, or exceed the formats. `set` sets those of the vertices, which are 0
+/// before, when they are needed.
 #[inline(never)]
 pub fn draw_shaded<const A: usize, C: Stored>(
     target: &mut Target<'_, C>,
     triangle: [&ScreenVertex; 3],
     sides: Sides,
-    in_space: InSpace,
-    values: &mut dyn FnMut() -> [Values<A>; 3],
+    set: &dyn Fn(&mut [Values<A>; 3]),
     shade: &impl ShadePixel<A, C>,
 ) -> Option<Drawn> {
     let seen = match shown(target, triangle, sides) {
         Ok(seen) => seen,
         Err(drawn) => return Some(drawn),
     };
-    let values = values();
-    if in_space.shows(triangle, &values, &seen) {
+    let mut values = [[0; A]; 3];
+    set(&mut values);
+    if bends(triangle, &seen, || shade.contrast(&values)) {
         return None;
     }
     let [a, b, c] = triangle;
@@ -68,40 +61,18 @@ pub fn draw_shaded<const A: usize, C: Stored>(
 /// A vertex with its attributes.
 type With<'a, const A: usize> = (&'a ScreenVertex, &'a Values<A>);
 
-impl InSpace {
-    /// Whether interpolation along the screen may be seen, as with a
-    /// [level](super::perspective::shows).
-    #[inline(always)]
-    fn shows<const A: usize>(
-        self,
-        triangle: [&ScreenVertex; 3],
-        values: &[Values<A>; 3],
-        seen: &Seen,
-    ) -> bool {
-        let [[left, _], [right, _]] = seen.bounds;
-        if right - left < 8 << SUBPX_BITS {
-            return false;
-        }
-        // 14 bits.
-        let difference = match self {
-            Self::Never => return false,
-            Self::Light => most_difference(values),
-            Self::Anything => 255 << 6,
-        };
-        let [a, b, c] = triangle.map(|v| v.z().to_bits() >> 4);
-        let (near, far) = (a.max(b).max(c), a.min(b).min(c));
-        difference * (near - far) > far << (2 + 6)
+/// Whether interpolation along the screen may be seen, as with a
+/// [level](super::perspective::shows).
+#[inline(always)]
+fn bends(triangle: [&ScreenVertex; 3], seen: &Seen, contrast: impl FnOnce() -> u32) -> bool {
+    let [[left, _], [right, _]] = seen.bounds;
+    if right - left < 8 << SUBPX_BITS {
+        return false;
     }
-}
-
-/// By how much an attribute that is light differs from corner to corner.
-#[inline(never)]
-fn most_difference<const A: usize>([a, b, c]: &[Values<A>; 3]) -> u32 {
-    let mut most = 0;
-    for ((a, b), c) in a.iter().zip(b).zip(c) {
-        most = most.max(a.max(b).max(c).abs_diff(*a.min(b).min(c)));
-    }
-    (most >> RUN_FRACTION).min(255 << 6)
+    let [a, b, c] = triangle.map(|v| v.z().to_bits() >> 4);
+    let (near, far) = (a.max(b).max(c), a.min(b).min(c));
+    // 14 and 16 bits.
+    contrast() * (near - far) > far << (2 + 6)
 }
 
 /// Fills a small triangle; `false` if its attributes exceed the formats.
@@ -225,7 +196,7 @@ impl<const A: usize> Stepping<A> {
         let values = self.values.each_ref();
         Steps {
             z: (self.z.at(columns), self.z.gradient.x),
-            values: values.map(|v| v.at(columns)),
+            values: values.map(|v| v.at(columns) as i32),
             change: values.map(|v| v.gradient.x),
         }
     }
@@ -235,30 +206,25 @@ impl<const A: usize> Stepping<A> {
 #[inline(always)]
 fn pixels<const A: usize, C: Stored>(
     span: Span<'_, C>,
-    steps: Steps<A>,
+    mut steps: Steps<A>,
     shade: &impl ShadePixel<A, C>,
 ) {
-    let Steps {
-        z: (mut z, dz),
-        mut values,
-        change,
-    } = steps;
     let ([mut column, row], hides) = (span.place, shade.hides());
+    let (mut z, dz) = steps.z;
     for (pixel, depth) in span.indices.iter_mut().zip(span.depths) {
         let here = (z >> 16) as Depth;
-        if here > *depth {
-            let own = values.map(|v| v as i32);
-            if let Some(shaded) = shade.pixel([column, row], here, &own, *pixel) {
-                *pixel = shaded;
-                if hides {
-                    *depth = here;
-                }
+        if here > *depth
+            && let Some(shaded) = shade.pixel([column, row], here, &steps.values, *pixel)
+        {
+            *pixel = shaded;
+            if hides {
+                *depth = here;
             }
         }
         column += 1;
         z = z.wrapping_add_signed(dz);
-        for (value, change) in values.iter_mut().zip(change) {
-            *value = value.wrapping_add_signed(change);
+        for (value, change) in steps.values.iter_mut().zip(steps.change) {
+            *value = value.wrapping_add(change);
         }
         keep_rolled();
     }

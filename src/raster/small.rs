@@ -166,7 +166,7 @@ impl Rows {
                     let Planes { z, values } = planes;
                     let steps = Steps {
                         z: (z.below(row, left), z.gradient.x),
-                        values: values.each_ref().map(|v| v.below(row, left)),
+                        values: values.each_ref().map(|v| v.below(row, left) as i32),
                         change: values.each_ref().map(|v| v.gradient.x),
                     };
                     draw(span, steps);
@@ -187,7 +187,7 @@ fn draw_flat(rows: &Rows, planes: &Planes<0>, target: &mut Target<'_>, index: u8
 fn draw_gouraud(rows: &Rows, planes: &Planes<1>, target: &mut Target<'_>, shades: &[u8; 256]) {
     rows.draw(planes, target, |span, steps| {
         let ([level], [change]) = (steps.values, steps.change);
-        let level = (level, change);
+        let level = (level as u32, change);
         span::gouraud(span.indices, span.depths, steps.z, level, shades);
     });
 }
@@ -350,6 +350,6 @@ impl<const N: usize> Planes<N> {
 /// pixel.
 pub(super) struct Steps<const N: usize> {
     pub z: (u32, i32),
-    pub values: [u32; N],
+    pub values: [i32; N],
     pub change: [i32; N],
 }

@@ -22,54 +22,58 @@ pub(super) struct CornerSource<'a> {
 }
 
 impl CornerSource<'_> {
-    /// The attributes of a triangle's corners, of a face its light.
-    pub fn values<const A: usize>(&self, triangle: &Triangle<'_>) -> [Values<A>; 3] {
+    /// Sets the attributes of a triangle's corners, which are 0 before; of a face its light.
+    pub fn set<const A: usize>(&self, triangle: &Triangle<'_>, out: &mut [Values<A>; 3]) {
         if self.surface.attributes.lighting == Lighting::Face {
             let Parts { body, gloss } = self.face(triangle);
-            let mut values = [0; A];
-            for (value, c) in values.iter_mut().zip(sum(body, gloss)) {
-                *value = fine(c.into());
+            let light = sum(body, gloss);
+            for values in out {
+                put(values, 0, light.map(|c| fine(c.into())));
             }
-            return [values; 3];
+            return;
         }
-        let whole = triangle.indices.map(|index| self.attributes(index).1);
-        match triangle.cuts {
-            None => whole,
-            Some(cuts) => cuts.map(|cut| weighted(&whole, cut.weights)),
+        for (values, index) in out.iter_mut().zip(triangle.indices) {
+            self.attributes(*index, values);
+        }
+        if let Some(cuts) = triangle.cuts {
+            let whole = *out;
+            for (values, cut) in out.iter_mut().zip(cuts) {
+                *values = weighted(&whole, cut.weights);
+            }
         }
     }
 
     /// The corners of a triangle.
     pub fn of<const A: usize>(&self, triangle: &Triangle<'_>) -> [Corner<A>; 3] {
         let (view, indices) = (self.part.view, triangle.indices);
-        let whole = indices.map(|index| self.attributes(index));
-        let Some(cuts) = triangle.cuts else {
-            return whole.map(|(index, attributes)| Corner {
-                distance: if self.perspective {
-                    let (scene, meshlet) = (self.part.scene, self.part.meshlet);
-                    vertex(scene, &self.rows, view, meshlet, index).distance
-                } else {
-                    1
-                },
-                attributes,
-            });
-        };
-        let whole = whole.map(|(_, attributes)| attributes);
-        cuts.map(|cut| Corner {
-            // What is cut is interpolated in space even if the rest is not: along
-            // the screen there is nothing right for it.
-            distance: if view.perspective { cut.distance } else { 1 },
-            attributes: weighted(&whole, cut.weights),
-        })
+        let mut whole = [[0; A]; 3];
+        for (values, index) in whole.iter_mut().zip(indices) {
+            self.attributes(*index, values);
+        }
+        let mut corners = whole.map(|attributes| Corner {
+            distance: 1,
+            attributes,
+        });
+        if let Some(cuts) = triangle.cuts {
+            for (corner, cut) in corners.iter_mut().zip(cuts) {
+                // What is cut is interpolated in space even if the rest is not: along
+                // the screen there is nothing right for it.
+                if view.perspective {
+                    corner.distance = cut.distance;
+                }
+                corner.attributes = weighted(&whole, cut.weights);
+            }
+        } else if self.perspective {
+            let (scene, meshlet) = (self.part.scene, self.part.meshlet);
+            for (corner, index) in corners.iter_mut().zip(indices) {
+                corner.distance = vertex(scene, &self.rows, view, meshlet, *index).distance;
+            }
+        }
+        corners
     }
 
-    /// A vertex and its attributes.
-    fn attributes<const A: usize>(&self, index: u8) -> (u8, Values<A>) {
-        let mut values = [0; A];
-        let mut slots = values.iter_mut();
-        let mut put = |list: &[i32]| {
-            slots.by_ref().zip(list).for_each(|(slot, v)| *slot = *v);
-        };
+    /// Sets a vertex's attributes, which are 0 before.
+    fn attributes<const A: usize>(&self, index: u8, values: &mut Values<A>) {
         let part = self.part;
         let attributes = self.surface.attributes;
         if attributes.textured {
@@ -78,37 +82,42 @@ impl CornerSource<'_> {
                 .meshlet_coordinates(part.meshlet, &part.view.mesh);
             let own = all.get(usize::from(index)).copied().unwrap_or_default();
             let own = own.map(i16::from_le);
-            put(&self.sampler.map_or([0; 2], |s| s.attributes(own)));
+            put(
+                values,
+                0,
+                self.sampler.map_or([0; 2], |s| s.attributes(own)),
+            );
         }
+        let first = attributes.before_light();
         match attributes.lighting {
             Lighting::Face => {}
             Lighting::Level => {
                 let kept = part.transformed.vertices.get(usize::from(index));
+                let level = kept.map_or(0, |v| i32::from(v.level().to_bits()));
                 // Of grey all channels are the same; a texel takes one.
-                put(&[fine(kept.map_or(0, |v| i32::from(v.level().to_bits()))); 3]);
+                put(values, first, [fine(level); 3]);
             }
             Lighting::Colour if attributes.textured => {
                 let (place, normal) = self.point(index);
                 let lights = self.surface.lights;
                 let parts = lights.map(|l| l.parts(normal, place, self.tint(index)));
                 let Parts { body, gloss } = parts.unwrap_or_default();
-                put(&body.map(|c| fine(c.into())));
+                put(values, first, body.map(|c| fine(c.into())));
                 if attributes.glossy {
-                    put(&gloss.map(|c| fine(c.into())));
+                    put(values, first + 3, gloss.map(|c| fine(c.into())));
                 }
             }
-            Lighting::Colour => put(&part.transformed.colour(index).map(fine)),
+            Lighting::Colour => put(values, first, part.transformed.colour(index).map(fine)),
             Lighting::Pixel => {
                 let (place, normal) = self.point(index);
-                put(&normal.map(fine));
-                put(&place.map(fine));
+                put(values, first, normal.map(fine));
+                put(values, first + 3, place.map(fine));
                 if attributes.tinted {
                     let tint = self.tint(index).unwrap_or([255; 3]);
-                    put(&tint.map(|c| fine(i32::from(c) << 6)));
+                    put(values, first + 6, tint.map(|c| fine(i32::from(c) << 6)));
                 }
             }
         }
-        (index, values)
     }
 
     /// Light of a face, at its middle.
@@ -172,6 +181,14 @@ pub(super) fn weighted<const A: usize>(corners: &[Values<A>; 3], weights: [i32; 
         *value = (sum >> WEIGHT_BITS) as i32;
     }
     values
+}
+
+/// Puts some attributes in their places.
+#[inline(always)]
+fn put<const A: usize, const N: usize>(values: &mut Values<A>, first: usize, own: [i32; N]) {
+    for (value, own) in values.iter_mut().skip(first).zip(own) {
+        *value = own;
+    }
 }
 
 /// An attribute from a whole number of 16 bits.

@@ -11,7 +11,7 @@ use super::triangles::{Done, Draw, Triangle, triangles};
 use crate::frame::{Stored, Target};
 use crate::light::{Parts, Patch, SurfaceLights, sum};
 use crate::math::FineLevel;
-use crate::raster::{Drawn, How, InSpace, MOST_ATTRIBUTES, Shade, Sides, SurfaceKind};
+use crate::raster::{Drawn, How, MOST_ATTRIBUTES, Shade, Sides, SurfaceKind, Values};
 use crate::raster::{draw_shaded, draw_surface, draw_triangle};
 use crate::scene::Transparency;
 use crate::scene::layout::TEXTURE_SHADES;
@@ -179,15 +179,9 @@ impl<P: Paint> Surfaces<'_, '_, P> {
     /// Draws a triangle without texture pixel by pixel, if that is enough.
     fn shaded<const A: usize>(&mut self, others: &Others<'_, P>) -> Option<Drawn> {
         let triangle = others.runs.triangle;
-        let in_space = match self.corners.surface.attributes.lighting {
-            _ if !self.corners.perspective => InSpace::Never,
-            Lighting::Face => InSpace::Never,
-            Lighting::Level | Lighting::Colour => InSpace::Light,
-            Lighting::Pixel => InSpace::Anything,
-        };
-        let values = &mut || self.corners.values(triangle);
+        let set = &|values: &mut [Values<A>; 3]| self.corners.set(triangle, values);
         let (corners, sides) = (triangle.corners, self.sides);
-        draw_shaded::<A, _>(self.target, corners, sides, in_space, values, others)
+        draw_shaded::<A, _>(self.target, corners, sides, set, others)
     }
 
     fn texels<const A: usize>(

@@ -183,6 +183,20 @@ impl<const A: usize, P: Paint> ShadePixel<A, P::Stored> for Others<'_, P> {
     fn hides(&self) -> bool {
         !matches!(self.through, Through::Blend(_))
     }
+
+    #[inline(never)]
+    fn contrast(&self, corners: &[Values<A>; 3]) -> u32 {
+        let Runs {
+            corners: source,
+            surface,
+            ..
+        } = &self.runs;
+        if source.perspective {
+            surface.contrast(corners)
+        } else {
+            0
+        }
+    }
 }
 
 impl<P: Paint> Others<'_, P> {

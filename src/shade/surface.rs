@@ -1,5 +1,7 @@
 //! Light over a surface.
 
+use core::ops::Range;
+
 use crate::light::{Lit, Parts, SurfaceLights, sum};
 use crate::math::direction;
 use crate::raster::RUN_FRACTION;
@@ -121,6 +123,19 @@ impl Surface<'_> {
         }
     }
 
+    /// By how much it may differ between corners whose attributes are of light alone, in 1/64 of
+    /// a level, at most 255 of them.
+    #[inline(always)]
+    pub fn contrast<const N: usize>(&self, corners: &[[i32; N]; 3]) -> u32 {
+        let own = |range| most_difference(corners, range);
+        let (light, tint) = match (self.attributes.lighting, self.lights) {
+            (Lighting::Face, _) => (0, 0),
+            (Lighting::Pixel, Some(lights)) => (lights.contrast(own(0..3)), own(6..9)),
+            _ => (own(0..3), 0),
+        };
+        (light + tint).min(255 << 6)
+    }
+
     /// Light of a pixel by itself.
     #[inline(always)]
     fn lit(&self, normal: [i32; 3], place: [i32; 3], tint: [i32; 3]) -> Parts {
@@ -132,6 +147,17 @@ impl Surface<'_> {
         self.lights
             .map_or(Parts::default(), |lights| lights.parts(normal, place, tint))
     }
+}
+
+/// By how much one of some attributes differs from corner to corner, without fractional bits.
+#[inline(never)]
+fn most_difference<const N: usize>([a, b, c]: &[[i32; N]; 3], range: Range<usize>) -> u32 {
+    let mut most = 0;
+    let all = a.iter().zip(b).zip(c);
+    for ((a, b), c) in all.take(range.end).skip(range.start) {
+        most = most.max(a.max(b).max(c).abs_diff(*a.min(b).min(c)));
+    }
+    most >> RUN_FRACTION
 }
 
 /// Light without highlights of its own.
