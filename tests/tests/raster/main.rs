@@ -3,6 +3,7 @@
 mod coverage;
 mod perspective;
 mod planes;
+mod shaded;
 mod steep;
 mod surface;
 mod tiling;

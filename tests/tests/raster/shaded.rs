@@ -1,0 +1,152 @@
+//! Pixels that are shaded one by one: those of the triangle, with attributes of its plane; and
+//! triangles that are left to be interpolated in space.
+
+use std::cell::RefCell;
+
+use proptest::prelude::*;
+
+use super::{BOTH, draw, raw};
+use fixel::frame::Band;
+use fixel::math::{Depth, SUBPX_BITS};
+use fixel::raster::{Drawn, Fill, How, RUN_FRACTION, ShadePixel, Values, draw_shaded};
+use fixel::vertex::ScreenVertex;
+
+const SIZE: (u16, u16) = (120, 60);
+const COUNT: usize = 3;
+
+/// A pixel's place, depth and attributes.
+type Pixel = ([i32; 2], Depth, Values<COUNT>);
+
+/// Takes down every pixel.
+struct Seeing {
+    pixels: RefCell<Vec<Pixel>>,
+    hides: bool,
+    contrast: u32,
+}
+
+impl ShadePixel<COUNT, u8> for Seeing {
+    fn pixel(&self, place: [i32; 2], z: Depth, values: &Values<COUNT>, behind: u8) -> Option<u8> {
+        self.pixels.borrow_mut().push((place, z, *values));
+        Some(behind + 1)
+    }
+
+    fn hides(&self) -> bool {
+        self.hides
+    }
+
+    fn contrast(&self, _: &[Values<COUNT>; 3]) -> u32 {
+        self.contrast
+    }
+}
+
+/// What became of a triangle, its pixels, and indices and depths afterwards.
+fn shaded(
+    vertices: &[ScreenVertex; 3],
+    values: [[i32; COUNT]; 3],
+    (hides, contrast): (bool, u32),
+) -> (Option<Drawn>, Vec<Pixel>, Vec<u8>, Vec<Depth>) {
+    let pixels = usize::from(SIZE.0) * usize::from(SIZE.1);
+    let (mut index, mut depth) = (vec![0; pixels], vec![0; pixels]);
+    let mut band = Band::new(SIZE.0, &mut index, &mut depth).expect("a band");
+    let mut target = band.target(0, SIZE.1);
+    target.clear(|_| 0);
+    let seeing = Seeing {
+        pixels: RefCell::default(),
+        hides,
+        contrast,
+    };
+    let set =
+        |out: &mut [Values<COUNT>; 3]| *out = values.map(|all| all.map(|v| v << RUN_FRACTION));
+    let drawn = draw_shaded(&mut target, vertices.each_ref(), BOTH, &set, &seeing);
+    (drawn, seeing.pixels.into_inner(), index, depth)
+}
+
+fn corner() -> impl Strategy<Value = (i32, i32)> {
+    let one = 1 << SUBPX_BITS;
+    let x = prop_oneof![3 => -one..121 * one, 1 => -1900 * one..1900 * one];
+    let y = prop_oneof![3 => -one..61 * one, 1 => -1900 * one..1900 * one];
+    (x, y)
+}
+
+/// Anywhere, or within some pixels of each other.
+fn places() -> impl Strategy<Value = [(i32, i32); 3]> {
+    let one = 1 << SUBPX_BITS;
+    let near = (
+        (0..100 * one, 0..45 * one),
+        prop::array::uniform3((0..16 * one, 0..16 * one)),
+    );
+    prop_oneof![
+        prop::array::uniform3(corner()),
+        near.prop_map(|((x, y), all)| all.map(|(dx, dy)| (x + dx, y + dy))),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4_000))]
+
+    #[test]
+    fn pixels_are_those_of_the_triangle_with_attributes_of_its_plane(
+        places in places(),
+        depths in prop::array::uniform3(1u32 << 4..65_535 << 4),
+        values in prop::array::uniform3(prop::array::uniform3(-(1 << 15)..=1 << 15)),
+        hides in any::<bool>(),
+    ) {
+        let vertices: [_; 3] = std::array::from_fn(|i| raw(places[i].0, places[i].1, depths[i], 0));
+        let (drawn, pixels, index, depth) = shaded(&vertices, values, (hides, 0));
+        let Some(drawn) = drawn else {
+            // Nothing is drawn of what is left to another.
+            prop_assert!(pixels.is_empty() && index.iter().all(|i| *i == 0));
+            return Ok(());
+        };
+        let (flat_depth, flat) = draw(vertices.each_ref(), SIZE, SIZE.1, Fill::Flat(1));
+        prop_assert_eq!(index, flat);
+        prop_assert_eq!(drawn.how == How::Filled || pixels.is_empty(), true);
+        let none = vec![0; flat_depth.len()];
+        prop_assert_eq!(&depth, if hides { &flat_depth } else { &none });
+
+        let [a, b, c] = vertices.map(|v| [v.x().to_num::<f64>(), v.y().to_num::<f64>()]);
+        let side = |p: [f64; 2], q: [f64; 2]| [q[0] - p[0], q[1] - p[1]];
+        let ([bx, by], [cx, cy]) = (side(a, b), side(a, c));
+        let area = bx * cy - by * cx;
+        let longest = [side(a, b), side(b, c), side(c, a)].map(|[x, y]| x * x + y * y);
+        let slender = longest.into_iter().fold(0.0, f64::max) / area.abs();
+        for ([x, y], z, own) in pixels {
+            prop_assert_eq!(z, flat_depth[y as usize * usize::from(SIZE.0) + x as usize]);
+            let [px, py] = side(a, [f64::from(x) + 0.5, f64::from(y) + 0.5]);
+            let (wb, wc) = ((px * cy - py * cx) / area, (bx * py - by * px) / area);
+            for (i, own) in own.into_iter().enumerate() {
+                let [va, vb, vc] = values.map(|all| f64::from(all[i]));
+                let exact = va + (vb - va) * wb + (vc - va) * wc;
+                let own = f64::from(own) / f64::from(1 << RUN_FRACTION);
+                // A gradient's last bit over the screen, and 2^-26 of what it is made of.
+                let allowed = 0.25 + 4e-3 * slender;
+                prop_assert!(
+                    (own - exact).abs() <= allowed,
+                    "{own} instead of {exact}, {allowed} allowed, at {x}, {y}",
+                );
+            }
+        }
+    }
+}
+
+/// A triangle so many pixels wide whose corners are so deep.
+fn deep(width: i32, [near, far]: [u32; 2]) -> [ScreenVertex; 3] {
+    let one = 1 << SUBPX_BITS;
+    [(10, 10, near), (10 + width, 12, far), (12, 50, far)]
+        .map(|(x, y, z)| raw(x * one, y * one, z << 4, 0))
+}
+
+#[test]
+fn what_distance_would_bend_is_left_to_others() {
+    let full = (true, 255 << 6);
+    let drawn = |width, depths, how| shaded(&deep(width, depths), [[0; COUNT]; 3], how).0;
+    // By a 64th of the depth, full light is off by a level.
+    assert!(drawn(30, [32_500, 32_000], full).is_some());
+    assert!(drawn(30, [32_505, 32_000], full).is_none());
+    // A quarter of it by a 16th.
+    assert!(drawn(30, [33_900, 32_000], (true, 255 << 4)).is_some());
+    assert!(drawn(30, [34_100, 32_000], (true, 255 << 4)).is_none());
+    assert!(drawn(30, [60_000, 32_000], (true, 0)).is_some());
+    // Of what is narrower it is seen in few pixels.
+    assert!(drawn(7, [60_000, 32_000], full).is_some());
+}
