@@ -65,9 +65,11 @@ impl Rotation {
     /// About y, then x, then z: VTK's order for an actor's orientation.
     #[inline(never)] // once an actor: small code
     pub fn from_orientation([x, y, z]: [Angle; 3]) -> Self {
-        Self::about_y(y)
-            .then(&Self::about_x(x))
-            .then(&Self::about_z(z))
+        let mut rotation = Self::about_y(y);
+        let [first, second, third] = &mut rotation.rows;
+        turn(second, third, x);
+        turn(first, second, z);
+        rotation
     }
 
     /// First `self`, then `next`: the matrix product `next * self`.
@@ -103,6 +105,24 @@ impl Rotation {
     #[inline(never)]
     pub fn apply_wide(&self, [x, y, z]: [i64; 3]) -> [i64; 3] {
         self.rows.map(|row| turned(row, [x, y, z]))
+    }
+}
+
+/// Turns what a row of a rotation gives towards what another one gives: the product with a
+/// rotation about the axis of the third, to the last bit, of which half is 0 and 1.
+#[inline(never)]
+fn turn(from: &mut Unit3, to: &mut Unit3, angle: Angle) {
+    if angle == Angle::ZERO {
+        return;
+    }
+    let (s, c) = angle.sin_cos();
+    for (a, b) in from.iter_mut().zip(to) {
+        let turned = |by_a: i32, by_b: i32| {
+            let sum = i64::from(by_a) * i64::from(*a) + i64::from(by_b) * i64::from(*b);
+            ((sum + (1 << 29)) >> 30) as i32
+        };
+        (*a, *b) = (turned(c, -s), turned(s, c));
+        keep_rolled();
     }
 }
 

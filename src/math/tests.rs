@@ -136,6 +136,21 @@ mod worked_examples {
     }
 
     #[test]
+    fn an_orientation_is_three_turns_to_the_last_bit() {
+        let angles = [0u32, 1, 0x1234_5678, 1 << 30, 0xcafe_babe, u32::MAX];
+        for number in 0..angles.len().pow(3) {
+            let angle = |i: u32| {
+                let which = number / angles.len().pow(i) % angles.len();
+                Angle::from_bits(angles[which])
+            };
+            let [x, y, z] = [0, 1, 2].map(angle);
+            let turns = Rotation::about_y(y).then(&Rotation::about_x(x));
+            let turns = turns.then(&Rotation::about_z(z));
+            assert_eq!(Rotation::from_orientation([x, y, z]), turns);
+        }
+    }
+
+    #[test]
     fn composition_is_application_in_turn() {
         let a = Map::rotation(&Rotation::about_z(Angle::from_turns16(7000)));
         let b = Map::translation(point(3, -2, 9));
