@@ -105,6 +105,10 @@ impl Angle {
     #[inline(never)]
     pub fn sin_cos(self) -> (i32, i32) {
         const STEP_BITS: u32 = 30 - 6;
+        if self == Self::ZERO {
+            // As many things stand.
+            return (0, 1 << 30);
+        }
         let in_quarter = (self.0 & 0x3fff_ffff).wrapping_add(1 << (STEP_BITS - 1));
         let step = (in_quarter >> STEP_BITS) as usize; // 0..=64, the nearest
         let rest = (in_quarter & ((1 << STEP_BITS) - 1)) as i64 - (1 << (STEP_BITS - 1));

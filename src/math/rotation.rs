@@ -1,6 +1,6 @@
 //! Rotation matrices in Q30.
 
-use super::{Angle, Unit3, dot, keep_rolled};
+use super::{Angle, Unit3, dot, keep_rolled, product};
 
 /// A rotation: three rows of Q30 entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,7 +101,7 @@ impl Rotation {
         self.rows.map(|row| dot(row, v))
     }
 
-    /// Turns a vector of any scale below 2^47, rounded down; of what is longer, modulo 2^64.
+    /// Turns a vector of any scale below 2^47, rounded down; what is longer turns into anything.
     #[inline(never)]
     pub fn apply_wide(&self, [x, y, z]: [i64; 3]) -> [i64; 3] {
         self.rows.map(|row| turned(row, [x, y, z]))
@@ -118,7 +118,7 @@ fn turn(from: &mut Unit3, to: &mut Unit3, angle: Angle) {
     let (s, c) = angle.sin_cos();
     for (a, b) in from.iter_mut().zip(to) {
         let turned = |by_a: i32, by_b: i32| {
-            let sum = i64::from(by_a) * i64::from(*a) + i64::from(by_b) * i64::from(*b);
+            let sum = product(by_a, *a) + product(by_b, *b);
             ((sum + (1 << 29)) >> 30) as i32
         };
         (*a, *b) = (turned(c, -s), turned(s, c));
@@ -136,8 +136,8 @@ pub(super) fn turned([a, b, c]: Unit3, [x, y, z]: [i64; 3]) -> i64 {
 /// `a * v / 2^30` for `|v| < 2^48`, rounded down, without 128-bit products.
 #[inline(never)]
 fn scale_q30(a: i32, v: i64) -> i64 {
-    let (high, low) = (v >> 15, v & 0x7fff);
-    // a * high is a multiple of 2^15 in the product's scale.
-    let high = i64::from(a).wrapping_mul(high);
-    high.wrapping_add((i64::from(a) * low) >> 15) >> 15
+    // 31 bits and a sign, and 17.
+    let (high, low) = ((v >> 17) as i32, (v & 0x1_ffff) as i32);
+    // a * high is a multiple of 2^17 in the product's scale.
+    (product(a, high) + (product(a, low) >> 17)) >> 13
 }

@@ -1,6 +1,6 @@
 //! Vectors in space, and the exact products that the view needs once a frame.
 
-use super::{World, keep_rolled, rolled, square_root};
+use super::{World, keep_rolled, product, rolled, square_root};
 
 /// A place or a distance in space.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -107,8 +107,10 @@ pub fn cross(a: Unit3, b: Unit3) -> [i64; 3] {
 /// 2^32.
 #[inline(never)] // used once an actor, in many places
 pub fn dot(a: Unit3, b: Unit3) -> i32 {
-    let ([ax, ay, az], [bx, by, bz]) = (a.map(i64::from), b.map(i64::from));
+    let ([ax, ay, az], [bx, by, bz]) = (a, b);
     // Two directions of length 1: at most 1 + 2^-27.
-    let sum = (ax * bx).wrapping_add(ay * by).wrapping_add(az * bz);
+    let sum = product(ax, bx)
+        .wrapping_add(product(ay, by))
+        .wrapping_add(product(az, bz));
     (sum.wrapping_add(1 << 29) >> 30) as i32
 }

@@ -1,7 +1,7 @@
 //! One actor in one frame.
 
 use super::{DepthMap, FINE_ROW_FRACTION, Lens, ModelFrame, ModelLights, ROW_FRACTION, ViewFrame};
-use crate::math::{MAX_SCREEN, SUBPX_BITS, keep_rolled, rolled, square_root};
+use crate::math::{MAX_SCREEN, SUBPX_BITS, keep_rolled, rolled, square, square_root};
 use crate::scene::{Actor, Material, Mesh, Place, Scene, Shading};
 
 /// The eye as an actor's grid sees it.
@@ -266,8 +266,7 @@ fn side_lengths(frame: &ViewFrame, [x, y, d]: [i32; 3], middle: [i32; 2]) -> [i3
         // A sheared x leans by so much along the distance.
         let lean = sheared(frame, d.into()).unsigned_abs();
         let along = along.unsigned_abs().saturating_add(lean).min(1 << 31);
-        let length = u64::from(length.unsigned_abs());
-        rounded_up(square_root(length * length + along * along))
+        rounded_up(square_root(square(length) + along * along))
     };
     let mut sides = [[x, middle_x], [y, middle_y]];
     for [own, half] in rolled(&mut sides) {
@@ -309,10 +308,7 @@ fn coordinate_bits(frame: &ViewFrame) -> i32 {
 /// Rounded up length of a row.
 #[inline(never)]
 pub(super) fn row_length([a, b, c]: [i32; 3]) -> i32 {
-    let squared = [a, b, c].iter().fold(0u64, |sum, v| {
-        sum + u64::from(v.unsigned_abs()) * u64::from(v.unsigned_abs())
-    });
-    rounded_up(square_root(squared))
+    rounded_up(square_root([a, b, c].map(square).iter().sum()))
 }
 
 /// More than a root of which this is the part before the point.

@@ -2,6 +2,7 @@
 
 use super::ActorView;
 use super::row::Row;
+use crate::math::product;
 use crate::scene::Meshlet;
 
 /// An actor's rows with a meshlet's base folded into the constants. The sum is
@@ -21,10 +22,10 @@ impl MeshletRows {
         let fine = view.mesh.fine.is_some();
         let shifts = if fine { [0; 3] } else { meshlet.shifts };
         let [sx, sy, sz] = shifts.map(u32::from);
-        let [x, y, z] = meshlet.base.map(i64::from);
+        let [x, y, z] = meshlet.base;
         let ([rx, ry, rd], [cx, cy, cd]) = (view.rows, view.constants);
         let row = |[a, b, c]: [i32; 3], constant: i64| {
-            let base = i64::from(a) * x + i64::from(b) * y + i64::from(c) * z;
+            let base = product(a, x) + product(b, y) + product(c, z);
             // An entry times a vertex's distance is within the mesh's reach,
             // whichever of the two has the power of two.
             let entries = [a.wrapping_shl(sx), b.wrapping_shl(sy), c.wrapping_shl(sz)];
