@@ -5,7 +5,9 @@
 //! `constant + sum of factor * L * (diffuse * N.l + specular * (R.v)^power)`.
 
 use super::Patch;
-use crate::math::{Scaled, ShortUnit, Vec3, direction, power, scaled_reciprocal, short_dot};
+use crate::math::{
+    Scaled, ShortUnit, Vec3, direction, power, scaled_reciprocal, short_dot, square_root,
+};
 use crate::scene::layout::LIGHTS;
 use crate::scene::{Channels, Light, LightKind, Material, Scene};
 use crate::view::{ActorView, EyeInGrid};
@@ -294,16 +296,36 @@ impl SurfaceLights {
         sums.parts(&self.channels, self.shiny, tint)
     }
 
-    /// By how much light may differ between places whose normals differ by so much in a
-    /// component (14 fractional bits), in 1/64 of a level: anything that there is, if more
-    /// than the normal decides on it.
-    pub fn contrast(&self, normals: u32) -> u32 {
-        let mut lights = self.sources.iter().take(self.count);
-        if self.shiny || lights.any(|source| source.kind != LightKind::Directional) {
-            return FULL;
+    /// By how much light may differ between places that have the same normal and are so far
+    /// apart, in 1/64 of a level.
+    pub fn contrast(&self, place: [i32; 3], apart: u32) -> u32 {
+        // 12 fractional bits. Largest differences are up to the root of 3 off lengths.
+        let angle = |to: [i32; 3]| {
+            let far = to.iter().zip(place).map(|(to, c)| to.abs_diff(c));
+            let angle = (apart << 12).checked_div(far.fold(0, u32::max));
+            angle.unwrap_or(FULL).min(FULL)
+        };
+        // A cosine's power changes with the angle by 0.61 of the power's root at most: with
+        // the root of 3, by the power's root. Of its 8 fractional bits, 4 are left.
+        let highlight = if self.shiny {
+            square_root(self.power.into())
+        } else {
+            0
+        };
+        let mut sum = match self.eye {
+            Seen::From(eye) if self.shiny => angle(eye) * highlight * self.count as u32,
+            _ => 0,
+        };
+        for source in self.sources.iter().take(self.count) {
+            match source.kind {
+                LightKind::Directional => {}
+                // A cosine changes by 1, what falls off with distance by 2.
+                LightKind::Point => sum += angle(source.place) * ((6 << 4) + highlight),
+                // Its cone may end between them.
+                LightKind::Spot => return FULL,
+            }
         }
-        // Two, as a difference has three components.
-        (normals.min(FULL) * 2 * self.count as u32).min(FULL)
+        (sum >> 2).min(FULL)
     }
 
     fn towards_eye(&self, place: [i32; 3]) -> ShortUnit {

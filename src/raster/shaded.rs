@@ -44,7 +44,7 @@ pub fn draw_shaded<const A: usize, C: Stored>(
     };
     let mut values = [[0; A]; 3];
     set(&mut values);
-    if bends(triangle, &seen, || shade.contrast(&values)) {
+    if bends(triangle, || shade.contrast(&values)) {
         return None;
     }
     let [a, b, c] = triangle;
@@ -61,18 +61,17 @@ pub fn draw_shaded<const A: usize, C: Stored>(
 /// A vertex with its attributes.
 type With<'a, const A: usize> = (&'a ScreenVertex, &'a Values<A>);
 
-/// Whether interpolation along the screen may be seen, as with a
-/// [level](super::perspective::shows).
+/// Whether interpolation along the screen may be off by a level: see [`super::perspective`]. In
+/// narrow triangles as well: where all are narrow, it would show.
 #[inline(always)]
-fn bends(triangle: [&ScreenVertex; 3], seen: &Seen, contrast: impl FnOnce() -> u32) -> bool {
-    let [[left, _], [right, _]] = seen.bounds;
-    if right - left < 8 << SUBPX_BITS {
-        return false;
-    }
+fn bends(triangle: [&ScreenVertex; 3], contrast: impl FnOnce() -> u32) -> bool {
     let [a, b, c] = triangle.map(|v| v.z().to_bits() >> 4);
     let (near, far) = (a.max(b).max(c), a.min(b).min(c));
-    // 14 and 16 bits.
-    contrast() * (near - far) > far << (2 + 6)
+    let depths = near - far;
+    // 14 bits, and 16.
+    const MOST: u32 = 255 << 6;
+    const LEVEL: u32 = 2 + 6;
+    depths * MOST > far << LEVEL && contrast() * depths > far << LEVEL
 }
 
 /// Fills a small triangle; `false` if its attributes exceed the formats.

@@ -22,7 +22,9 @@ pub(super) struct CornerSource<'a> {
 }
 
 impl CornerSource<'_> {
-    /// Sets the attributes of a triangle's corners, which are 0 before; of a face its light.
+    /// Sets the attributes of a triangle's corners, which are 0 before; of a face its light. In
+    /// perspective normals are as long as they are near: linear on the screen are those, and of
+    /// a normal nothing but its direction is asked for.
     pub fn set<const A: usize>(&self, triangle: &Triangle<'_>, out: &mut [Values<A>; 3]) {
         if self.surface.attributes.lighting == Lighting::Face {
             let Parts { body, gloss } = self.face(triangle);
@@ -40,6 +42,10 @@ impl CornerSource<'_> {
             for (values, cut) in out.iter_mut().zip(cuts) {
                 *values = weighted(&whole, cut.weights);
             }
+        }
+        if self.perspective && self.surface.attributes.lighting == Lighting::Pixel {
+            let nearness = triangle.corners.map(|corner| corner.z().to_bits());
+            lengthen(out, nearness);
         }
     }
 
@@ -181,6 +187,23 @@ pub(super) fn weighted<const A: usize>(corners: &[Values<A>; 3], weights: [i32; 
         *value = (sum >> WEIGHT_BITS) as i32;
     }
     values
+}
+
+/// Multiplies the first three attributes by nearness, the nearest's with 14 bits.
+#[inline(never)]
+fn lengthen<const A: usize>(corners: &mut [Values<A>; 3], nearness: [u32; 3]) {
+    let most = nearness.iter().fold(0, |most, n| most | n);
+    let up = most.leading_zeros() as i32 - 18;
+    if most == 0 {
+        return;
+    }
+    for (values, n) in corners.iter_mut().zip(nearness) {
+        let n = if up >= 0 { n << up } else { n >> -up } as i32;
+        for c in values.iter_mut().take(3) {
+            // 14 bits and a sign.
+            *c = (*c >> RUN_FRACTION) * n;
+        }
+    }
 }
 
 /// Puts some attributes in their places.

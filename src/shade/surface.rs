@@ -124,16 +124,20 @@ impl Surface<'_> {
     }
 
     /// By how much it may differ between corners whose attributes are of light alone, in 1/64 of
-    /// a level, at most 255 of them.
+    /// a level, at most 255 of them, but for what normals do.
     #[inline(always)]
     pub fn contrast<const N: usize>(&self, corners: &[[i32; N]; 3]) -> u32 {
         let own = |range| most_difference(corners, range);
-        let (light, tint) = match (self.attributes.lighting, self.lights) {
-            (Lighting::Face, _) => (0, 0),
-            (Lighting::Pixel, Some(lights)) => (lights.contrast(own(0..3)), own(6..9)),
-            _ => (own(0..3), 0),
+        let differ = match (self.attributes.lighting, self.lights) {
+            (Lighting::Face, _) => 0,
+            (Lighting::Pixel, Some(lights)) => {
+                let [first, ..] = corners;
+                let place = |which: usize| first.get(which).map_or(0, |c: &i32| c >> RUN_FRACTION);
+                lights.contrast([3, 4, 5].map(place), own(3..6)) + own(6..9)
+            }
+            _ => own(0..3),
         };
-        (light + tint).min(255 << 6)
+        differ.min(255 << 6)
     }
 
     /// Light of a pixel by itself.

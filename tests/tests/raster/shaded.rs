@@ -147,6 +147,5 @@ fn what_distance_would_bend_is_left_to_others() {
     assert!(drawn(30, [33_900, 32_000], (true, 255 << 4)).is_some());
     assert!(drawn(30, [34_100, 32_000], (true, 255 << 4)).is_none());
     assert!(drawn(30, [60_000, 32_000], (true, 0)).is_some());
-    // Of what is narrower it is seen in few pixels.
-    assert!(drawn(7, [60_000, 32_000], full).is_some());
+    assert!(drawn(3, [32_505, 32_000], full).is_none());
 }

@@ -12,7 +12,7 @@ use fixel::render::{Ids, Paint};
 use fixel::shade::{Blend, Lighting, Pixel};
 use fixel::vertex::ScreenVertex;
 
-use crate::kernel::{AtVertices, Kernel, Surface, Way};
+use crate::kernel::{AtVertices, Kernel, Lights, Surface, Way};
 use crate::seen::{Front, Seen};
 use crate::span::{self, LONGEST_RUN_PX, RunPx};
 use crate::term::{Term, Work};
@@ -164,7 +164,7 @@ impl Counter {
                 self.large_gouraud(&seen);
             }
             Way::Surface(surface) => {
-                if self.is_shaded(surface, corners) {
+                if self.is_shaded(surface, corners, self.kernels[actor].lights) {
                     self.shaded(&seen, surface);
                 } else {
                     let runs = if self.perspective {
@@ -222,11 +222,15 @@ impl Counter {
     }
 
     /// Whether a triangle is drawn pixel by pixel.
-    fn is_shaded(&self, surface: Surface, corners: [&ScreenVertex; 3]) -> bool {
+    fn is_shaded(&self, surface: Surface, corners: [&ScreenVertex; 3], lights: Lights) -> bool {
+        let full = f64::from(255 << 6);
         let most = match surface.lighting {
             Lighting::Face => 0.0,
             Lighting::Level | Lighting::Colour => levels_differ(corners),
-            Lighting::Pixel => f64::from(255 << 6),
+            Lighting::Pixel if lights.cones > 0.0 => full,
+            // The core goes by places, which nobody is told of here.
+            Lighting::Pixel if lights.placed + lights.gloss > 0.0 => full / 4.0,
+            Lighting::Pixel => 0.0,
         };
         !surface.textured && !(self.perspective && bend(corners, most))
     }
@@ -367,7 +371,8 @@ impl Counter {
 
 /// Whether levels are divided by distance.
 fn levels_bend(corners: [&ScreenVertex; 3]) -> bool {
-    bend(corners, levels_differ(corners))
+    let (left, right) = span::ends(corners.map(|v| f64::from(v.x().to_bits())));
+    right - left >= f64::from(8 << SUBPX_BITS) && bend(corners, levels_differ(corners))
 }
 
 /// By how much corners' levels differ.
@@ -378,10 +383,6 @@ fn levels_differ(corners: [&ScreenVertex; 3]) -> f64 {
 
 /// Whether distance bends what differs by so much; as the core decides it.
 fn bend(corners: [&ScreenVertex; 3], difference: f64) -> bool {
-    let (left, right) = span::ends(corners.map(|v| f64::from(v.x().to_bits())));
-    if right - left < f64::from(8 << SUBPX_BITS) {
-        return false;
-    }
     let (far, near) = span::ends(corners.map(|v| f64::from(v.z().to_bits() >> 4)));
     difference * (near - far) > far * 256.0
 }
