@@ -5,8 +5,7 @@ use super::recip::leading_zeros;
 use super::wide::mul_high_u;
 
 /// `mantissa * 2^exponent`, not negative; relative error below 2^-29 an operation. Exponents of
-/// new ones are within 2^12 either way; those of products add up, for which there is room in
-/// any formula: nothing is held to a range that no sum of a few comes near.
+/// new ones are within 2^12 either way; those of products add up, for which there is room.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Scaled {
     /// 2^31.. or 0.

@@ -22,8 +22,8 @@ pub trait ShadePixel<const A: usize, C> {
     /// Whether what lies behind its pixels is hidden by them.
     fn hides(&self) -> bool;
 
-    /// By how much light may differ from corner to corner, in 1/64 of a level, at most 255 of them; 0 where
-    /// attributes are the same on the screen and in space.
+    /// By how much light may differ from corner to corner, in 1/64 of a level, at most 255 of
+    /// them; 0 where attributes are the same on the screen and in space.
     fn contrast(&self, corners: &[Values<A>; 3]) -> u32;
 }
 
