@@ -80,10 +80,8 @@ impl Scaled {
     /// `2^by` times as much.
     #[must_use]
     pub fn shifted(self, by: i32) -> Self {
-        Self {
-            exponent: self.exponent + by,
-            ..self
-        }
+        let exponent = self.exponent.saturating_add(by).clamp(-4096, 4096);
+        Self { exponent, ..self }
     }
 
     /// With `bits` fractional bits, rounded down; saturates.
