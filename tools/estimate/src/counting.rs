@@ -232,7 +232,8 @@ impl Counter {
             Lighting::Pixel if lights.placed + lights.gloss > 0.0 => full / 4.0,
             Lighting::Pixel => 0.0,
         };
-        !surface.textured && !(self.perspective && bend(corners, most))
+        let bent = self.perspective && bend(corners, most);
+        !surface.textured && !bent
     }
 
     fn shaded(&mut self, seen: &Seen, surface: Surface) {
