@@ -364,6 +364,9 @@ impl Counter {
             Term::LineStep
         };
         self.add(Term::LineInBand, 1.0);
+        if coloured {
+            self.add(Term::ColouredLineInBand, 1.0);
+        }
         self.add(term, steps);
         let beside = (f64::from(width) / 16.0 - 1.0).max(0.0);
         self.add(Term::WideLinePx, steps * beside);

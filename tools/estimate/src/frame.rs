@@ -120,7 +120,10 @@ where
         cleared += f64::from(width) * f64::from(height);
     }
     work.add(Term::ClearedPx, cleared);
-    work.add(Term::MarkPx, f64::from(stats.marks) * mark_px(scene));
+    let marks = f64::from(stats.marks);
+    let (px, coloured) = mean_mark(scene);
+    work.add(Term::MarkPx, marks * px);
+    work.add(Term::ColouredMark, marks * coloured);
     let fills = f64::from(stats.list_refills + 1);
     let listed = stats.meshlets - stats.meshlets_outside - stats.meshlets_away;
     let displaced = (f64::from(listed) / fills - meshlets as f64).max(0.0) * fills;
@@ -129,9 +132,9 @@ where
     work
 }
 
-/// Pixels of a mark, in the mean of all.
-fn mark_px(scene: &Scene<'_>) -> f64 {
-    let (mut marks, mut px) = (0.0, 0.0);
+/// Pixels of a mark, in the mean of all, and which part of them go by colour.
+fn mean_mark(scene: &Scene<'_>) -> (f64, f64) {
+    let (mut marks, mut px, mut coloured) = (0.0, 0.0, 0.0);
     for number in 0..scene.actor_count() {
         let Some(look) = scene.look(number) else {
             continue;
@@ -139,14 +142,19 @@ fn mark_px(scene: &Scene<'_>) -> f64 {
         if look.representation != Representation::Points {
             continue;
         }
-        let mesh = scene.mesh(scene.actor(number).mesh);
+        let actor = scene.actor(number);
+        let mesh = scene.mesh(actor.mesh);
         let meshlets = mesh.first_meshlet..mesh.first_meshlet + mesh.meshlets;
         let vertices = meshlets.filter_map(|number| scene.meshlet(number));
         let count: f64 = vertices.map(|meshlet| f64::from(meshlet.vertices)).sum();
         marks += count;
         px += count * f64::from(look.mark_size[0]) * f64::from(look.mark_size[1]);
+        if scene.material(actor.material).coloured {
+            coloured += count;
+        }
     }
-    px / f64::max(marks, 1.0)
+    let all = f64::max(marks, 1.0);
+    (px / all, coloured / all)
 }
 
 fn add_stats(work: &mut Work, stats: &FrameStats) {

@@ -203,6 +203,8 @@ terms! {
     Line,
     /// A line that has pixels in the band.
     LineInBand,
+    /// Such a line by colour.
+    ColouredLineInBand,
     /// A step along such a line, by level.
     LineStep,
     /// The same by colour.
@@ -211,6 +213,8 @@ terms! {
     WideLinePx,
     /// A mark.
     Mark,
+    /// A mark by colour.
+    ColouredMark,
     /// A pixel of a mark.
     MarkPx,
     /// A pixel that fog lies over.
