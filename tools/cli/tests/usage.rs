@@ -192,7 +192,7 @@ fn a_scene_is_estimated_for_a_board() {
         assert!(text.ok().contains(panel), "{board}: {}", text.stdout());
     }
     // More than 64 KB with the code that is built for speed.
-    folder.write("ball.toml", "[[actor]]\nsphere = 1\n");
+    folder.write("ball.toml", "[[actor]]\nsphere = 1\ndetail = 4\n");
     let text = folder.fixel("estimate ball.toml --board stm32f103c8").ok();
     assert!(text.contains("opt-level = 2"), "{text}");
     let figures = folder
