@@ -6,7 +6,7 @@ use crate::math::{HALF_PX, SUBPX_BITS};
 /// An attribute at the centre of one pixel, and how it changes. 16 fractional
 /// bits, and half a unit added so that cutting off the fraction rounds. Sums are
 /// modulo 2^32: what lies inside the triangle is in range.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Attribute {
     at_row: u32,
     pub gradient: Gradient,

@@ -5,6 +5,7 @@ use std::cell::RefCell;
 
 use proptest::prelude::*;
 
+use super::surface::{corner, slenderness, weights};
 use super::{BOTH, draw, raw};
 use fixel::frame::Band;
 use fixel::math::{Depth, SUBPX_BITS};
@@ -61,13 +62,6 @@ fn shaded(
     (drawn, seeing.pixels.into_inner(), index, depth)
 }
 
-fn corner() -> impl Strategy<Value = (i32, i32)> {
-    let one = 1 << SUBPX_BITS;
-    let x = prop_oneof![3 => -one..121 * one, 1 => -1900 * one..1900 * one];
-    let y = prop_oneof![3 => -one..61 * one, 1 => -1900 * one..1900 * one];
-    (x, y)
-}
-
 /// Anywhere, or within some pixels of each other.
 fn places() -> impl Strategy<Value = [(i32, i32); 3]> {
     let one = 1 << SUBPX_BITS;
@@ -104,19 +98,12 @@ proptest! {
         let none = vec![0; flat_depth.len()];
         prop_assert_eq!(&depth, if hides { &flat_depth } else { &none });
 
-        let [a, b, c] = vertices.map(|v| [v.x().to_num::<f64>(), v.y().to_num::<f64>()]);
-        let side = |p: [f64; 2], q: [f64; 2]| [q[0] - p[0], q[1] - p[1]];
-        let ([bx, by], [cx, cy]) = (side(a, b), side(a, c));
-        let area = bx * cy - by * cx;
-        let longest = [side(a, b), side(b, c), side(c, a)].map(|[x, y]| x * x + y * y);
-        let slender = longest.into_iter().fold(0.0, f64::max) / area.abs();
+        let slender = slenderness(&vertices);
         for ([x, y], z, own) in pixels {
             prop_assert_eq!(z, flat_depth[y as usize * usize::from(SIZE.0) + x as usize]);
-            let [px, py] = side(a, [f64::from(x) + 0.5, f64::from(y) + 0.5]);
-            let (wb, wc) = ((px * cy - py * cx) / area, (bx * py - by * px) / area);
+            let (_, weights) = weights(&vertices, [x, y]);
             for (i, own) in own.into_iter().enumerate() {
-                let [va, vb, vc] = values.map(|all| f64::from(all[i]));
-                let exact = va + (vb - va) * wb + (vc - va) * wc;
+                let exact = (0..3).map(|k| weights[k] * f64::from(values[k][i])).sum::<f64>();
                 let own = f64::from(own) / f64::from(1 << RUN_FRACTION);
                 // A gradient's last bit over the screen, and 2^-26 of what it is made of.
                 let allowed = 0.25 + 4e-3 * slender;

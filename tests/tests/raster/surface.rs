@@ -73,7 +73,7 @@ fn drawn(
 }
 
 /// How much longer than high: the square of the longest side over the doubled area.
-fn slenderness(vertices: &[ScreenVertex; 3]) -> f64 {
+pub(super) fn slenderness(vertices: &[ScreenVertex; 3]) -> f64 {
     let place = |i: usize| {
         let v = &vertices[i % 3];
         (v.x().to_num::<f64>(), v.y().to_num::<f64>())
@@ -86,7 +86,7 @@ fn slenderness(vertices: &[ScreenVertex; 3]) -> f64 {
 }
 
 /// Doubled area in pixels squared, and the weights of the corners at a pixel's centre.
-fn weights(vertices: &[ScreenVertex; 3], [x, y]: [i32; 2]) -> (f64, [f64; 3]) {
+pub(super) fn weights(vertices: &[ScreenVertex; 3], [x, y]: [i32; 2]) -> (f64, [f64; 3]) {
     let (px, py) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
     let [(ax, ay), (bx, by), (cx, cy)] = vertices
         .each_ref()
@@ -97,7 +97,7 @@ fn weights(vertices: &[ScreenVertex; 3], [x, y]: [i32; 2]) -> (f64, [f64; 3]) {
     (area.abs(), [1.0 - b - c, b, c])
 }
 
-fn corner() -> impl Strategy<Value = (i32, i32)> {
+pub(super) fn corner() -> impl Strategy<Value = (i32, i32)> {
     let one = 1 << SUBPX_BITS;
     let x = prop_oneof![3 => -one..121 * one, 1 => -1900 * one..1900 * one];
     let y = prop_oneof![3 => -one..61 * one, 1 => -1900 * one..1900 * one];
