@@ -1,5 +1,6 @@
 //! Triangles of surfaces that need more than a light level: any few attributes,
-//! interpolated in perspective and handed on in runs of pixels.
+//! interpolated in perspective and handed on in runs of pixels. Those for which that is more
+//! than is seen go pixel by pixel: see [`draw_shaded`](super::draw_shaded).
 //!
 //! Each attribute times 1 / distance, and 1 / distance itself, are linear on the
 //! screen. They are held in 64 bits, exact to 2^-28 of their largest value, and

@@ -1,4 +1,4 @@
-//! Runs of a surface's triangle: from attributes to indices.
+//! Pixels of a surface's triangle, in runs or one by one: from attributes to indices.
 
 use core::cell::Cell;
 

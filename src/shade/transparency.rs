@@ -24,7 +24,7 @@ impl ScreenDoor {
     }
 
     /// Shades the pixels of a run that are the surface's. For as long as it takes, the
-    /// others are as near as can be, so that no kernel draws them and none knows of
+    /// others are as near as can be, so that no kernel of runs draws them and none knows of
     /// patterns.
     pub fn shade<const A: usize, C: Copy>(
         self,

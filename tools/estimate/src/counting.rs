@@ -6,15 +6,16 @@ use std::cell::RefCell;
 use fixel::Scene;
 use fixel::fog::Haze;
 use fixel::frame::{Stored, Target};
-use fixel::math::{Level, SUBPX_BITS};
+use fixel::math::Level;
 use fixel::raster::{Fill, How};
 use fixel::render::{Ids, Paint};
-use fixel::shade::{Blend, Lighting, Pixel};
+use fixel::shade::{Blend, Pixel};
 use fixel::vertex::ScreenVertex;
 
-use crate::kernel::{AtVertices, Kernel, Lights, Surface, Way};
+use crate::bend::levels_bend;
+use crate::kernel::{AtVertices, Kernel, Way};
 use crate::seen::{Front, Seen};
-use crate::span::{self, LONGEST_RUN_PX, RunPx};
+use crate::span;
 use crate::term::{Term, Work};
 
 /// Pixels between levels that are divided by distance.
@@ -164,18 +165,13 @@ impl Counter {
                 self.large_gouraud(&seen);
             }
             Way::Surface(surface) => {
-                if self.is_shaded(surface, corners, self.kernels[actor].lights) {
-                    self.shaded(&seen, surface);
-                } else {
-                    let runs = if self.perspective {
-                        let longest = RunPx::new(corners, surface.cut_out);
-                        seen.runs(|middle| longest.at(middle))
-                    } else {
-                        seen.runs(|_| LONGEST_RUN_PX)
-                    };
-                    self.runs(&seen, runs, surface);
-                }
-                self.pixels(&seen, surface, actor);
+                let Kernel { lights, tinted, .. } = self.kernels[actor];
+                surface.count(
+                    &mut self.work,
+                    (&seen, corners),
+                    (lights, tinted),
+                    self.perspective,
+                );
             }
         }
     }
@@ -221,124 +217,6 @@ impl Counter {
         self.add(Term::LargeGouraudPxInFront, seen.in_front);
     }
 
-    /// Whether a triangle is drawn pixel by pixel.
-    fn is_shaded(&self, surface: Surface, corners: [&ScreenVertex; 3], lights: Lights) -> bool {
-        let full = f64::from(255 << 6);
-        let most = match surface.lighting {
-            Lighting::Face => 0.0,
-            Lighting::Level | Lighting::Colour => levels_differ(corners),
-            Lighting::Pixel if lights.cones > 0.0 => full,
-            // The core goes by places, which nobody is told of here.
-            Lighting::Pixel if lights.placed + lights.gloss > 0.0 => full / 4.0,
-            Lighting::Pixel => 0.0,
-        };
-        let bent = self.perspective && bend(corners, most);
-        !surface.textured && !bent
-    }
-
-    fn shaded(&mut self, seen: &Seen, surface: Surface) {
-        let (attributes, shown) = match surface.lighting {
-            Lighting::Pixel => (9.0, surface.shown(seen)),
-            _ => (3.0, surface.shown(seen)),
-        };
-        let triangle = if seen.small {
-            Term::SmallShaded
-        } else {
-            Term::LargeShaded
-        };
-        self.add(triangle, 1.0);
-        self.add(Term::ShadedAttribute, attributes);
-        self.add(Term::ShadedRow, seen.rows);
-        self.add(Term::ShadedRowAttribute, seen.rows * attributes);
-        self.add(Term::ShadedPx, seen.px);
-        self.add(Term::ShadedPxAttribute, seen.px * attributes);
-        self.add(Term::ShadedPxInFront, shown);
-    }
-
-    fn runs(&mut self, seen: &Seen, runs: f64, surface: Surface) {
-        let Surface { attributes, .. } = surface;
-        self.add(Term::SurfaceTriangle, 1.0);
-        self.add(Term::SurfaceTriangleAttribute, attributes);
-        self.add(Term::SurfaceRow, seen.rows);
-        self.add(Term::SurfaceRowAttribute, seen.rows * attributes);
-        self.add(Term::SurfacePx, seen.px);
-        let texels = surface.is_texels();
-        if texels {
-            self.add(Term::TexelSpan, seen.spans());
-            self.add(Term::TexelRun, runs);
-        } else {
-            self.add(Term::SurfaceRun, runs);
-            self.add(Term::SurfaceRunAttribute, runs * attributes);
-        }
-        if self.perspective && texels {
-            self.add(Term::PerspectiveTexelRun, runs);
-        } else if self.perspective {
-            self.add(Term::PerspectiveSurfaceRun, runs);
-            self.add(Term::PerspectiveSurfaceRunAttribute, runs * attributes);
-        }
-        if surface.copies {
-            self.add(Term::CopiesTriangle, 1.0);
-            self.add(Term::CopiesRun, runs);
-            self.add(Term::CopiesPx, seen.px);
-        }
-        if surface.cut_out {
-            self.add(Term::CutOutPx, seen.px);
-        }
-        if !texels {
-            let shown = surface.shown(seen);
-            self.add(Term::SurfacePxInFront, shown);
-            self.add(Term::SurfacePxAttribute, shown * attributes);
-        }
-    }
-
-    /// What is done at a surface's pixels, however its attributes get there.
-    fn pixels(&mut self, seen: &Seen, surface: Surface, actor: usize) {
-        let shown = surface.shown(seen);
-        let Kernel { lights, tinted, .. } = self.kernels[actor];
-        let by_face = surface.lighting == Lighting::Face;
-        let lit = match surface.lighting {
-            Lighting::Face => 1.0,
-            Lighting::Pixel => shown,
-            Lighting::Level | Lighting::Colour => 0.0,
-        };
-        let what = match surface.lighting {
-            Lighting::Pixel => Term::LitPixel,
-            _ => Term::Lit,
-        };
-        lights.shine(&mut self.work, what, lit, tinted);
-        if surface.is_texels() {
-            let texel = if by_face {
-                Term::FaceTexelPx
-            } else {
-                Term::LevelTexelPx
-            };
-            self.add(texel, shown);
-            return;
-        }
-        if surface.coloured {
-            let colour = if by_face {
-                Term::FaceColourPx
-            } else {
-                Term::ColourPx
-            };
-            self.add(colour, shown);
-        }
-        if surface.dithered {
-            self.add(Term::DitheredPx, shown);
-        }
-        if surface.textured && surface.bilinear {
-            self.add(Term::BilinearPx, shown);
-        } else if surface.textured {
-            self.add(Term::ColourTexelPx, shown);
-        }
-        if surface.blended {
-            self.add(Term::BlendedPx, shown);
-        }
-        if surface.door {
-            self.add(Term::DoorPx, seen.px);
-        }
-    }
-
     fn line<C>(&mut self, target: &Target<'_, C>, ends: [&ScreenVertex; 2], ids: Ids) {
         let kernel = &self.kernels[usize::from(ids.actor)];
         let width = kernel.look.map_or(1, |look| look.line_width.max(1));
@@ -371,24 +249,6 @@ impl Counter {
         let beside = (f64::from(width) / 16.0 - 1.0).max(0.0);
         self.add(Term::WideLinePx, steps * beside);
     }
-}
-
-/// Whether levels are divided by distance.
-fn levels_bend(corners: [&ScreenVertex; 3]) -> bool {
-    let (left, right) = span::ends(corners.map(|v| f64::from(v.x().to_bits())));
-    right - left >= f64::from(8 << SUBPX_BITS) && bend(corners, levels_differ(corners))
-}
-
-/// By how much corners' levels differ.
-fn levels_differ(corners: [&ScreenVertex; 3]) -> f64 {
-    let (least, most) = span::ends(corners.map(|v| f64::from(v.level().to_bits())));
-    most - least
-}
-
-/// Whether distance bends what differs by so much; as the core decides it.
-fn bend(corners: [&ScreenVertex; 3], difference: f64) -> bool {
-    let (far, near) = span::ends(corners.map(|v| f64::from(v.z().to_bits() >> 4)));
-    difference * (near - far) > far * 256.0
 }
 
 impl<P: Paint> Paint for Counting<'_, P> {

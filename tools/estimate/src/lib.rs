@@ -6,6 +6,7 @@
 //! puts both together for a [`Board`]. Used by `fixel estimate`, and by `cargo xtask fit`,
 //! which makes the coefficients.
 
+mod bend;
 mod board;
 mod capacity;
 mod counting;
@@ -18,6 +19,7 @@ mod parts;
 mod seen;
 mod solve;
 mod span;
+mod surface;
 mod term;
 
 pub use board::{BOARDS, Board, Cycles, Panel};
