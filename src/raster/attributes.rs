@@ -46,7 +46,7 @@ impl Attributes {
         let place = [top.x().to_bits(), top.y().to_bits()];
         let depths = shape.sorted.map(|v| v.z().to_bits() as i32);
         let [a, b, c] = depths;
-        let gradient = plane.gradient_here(b - a, c - a, 4)?;
+        let gradient = plane.gradient(b - a, c - a, 4)?;
         let mut z = Attribute::new((a as u32) << (16 - 4), gradient, place, row);
         let level = match level {
             Some(([a, b, c], fraction)) => {

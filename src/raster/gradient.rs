@@ -19,8 +19,10 @@ pub(super) struct Plane {
 
 /// Change of an attribute a pixel, 16 fractional bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Gradient {
+pub struct Gradient {
+    /// From pixel to pixel.
     pub x: i32,
+    /// From row to row.
     pub y: i32,
 }
 
@@ -81,7 +83,7 @@ impl Plane {
         Some((Self::of(places, exact, UNROUNDED_BITS as i32), first))
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn of([[ax, ay], [bx, by], [cx, cy]]: [[i32; 2]; 3], area: i64, bits: i32) -> Self {
         let mut d1 = [bx - ax, by - ay];
         let mut d2 = [cx - ax, cy - ay];
@@ -109,12 +111,6 @@ impl Plane {
     /// two pixels.
     #[inline(never)]
     pub(super) fn gradient(&self, v1: i32, v2: i32, fraction: i32) -> Option<Gradient> {
-        self.gradient_here(v1, v2, fraction)
-    }
-
-    /// The same, where a call would show.
-    #[inline(always)]
-    pub(super) fn gradient_here(&self, v1: i32, v2: i32, fraction: i32) -> Option<Gradient> {
         let ([x1, y1], [x2, y2]) = (self.d1, self.d2);
         let values = v1.abs() | v2.abs();
         // Or larger ones whose values differ less, if none is a sliver: below, what is
@@ -242,7 +238,7 @@ impl SmallPlane {
         self.level(v1, v2)
     }
 
-    /// The gradient of values within 2^15 either way, without fractional bits: with 14.
+    /// The gradient of values within 2^16 either way, without fractional bits: with 14.
     /// `None` above 2^16 a pixel.
     #[inline(always)]
     pub(super) fn value(&self, v1: i32, v2: i32) -> Option<Gradient> {

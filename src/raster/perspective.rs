@@ -78,7 +78,9 @@ const STEPS: [i32; RUN] = {
     table
 };
 
-/// A span whose level is exact at both ends of each run of 16 pixels.
+/// A span whose level is exact at both ends of each run of 16 pixels. A function of its own: where
+/// it is inlined, it is there twice.
+#[inline(never)]
 pub(super) fn gouraud(
     indices: &mut [u8],
     depths: &mut [Depth],
@@ -113,6 +115,7 @@ pub(super) fn gouraud(
             }
             z_here = z_here.wrapping_add_signed(z.gradient.x);
             here = here.wrapping_add_signed(step);
+            keep_rolled();
         }
         column += RUN as i32;
     }

@@ -1,5 +1,7 @@
 //! Pixels of a surface side by side, as a shader gets them.
 
+use super::footprint::Footprint;
+use super::placed::Placed;
 use crate::math::Depth;
 
 /// Attributes that a surface has at most.
@@ -27,6 +29,31 @@ pub trait Shade<const A: usize, C = u8> {
     fn solid(&self) -> bool {
         false
     }
+
+    /// What [`Self::placed`] needs to know of pixels, from the first one's footprint and its change
+    /// from pixel to pixel; and of how many of the first ones this is so, at least one.
+    #[inline(always)]
+    fn alike(&self, _footprint: &Footprint, _step: &Footprint, pixels: usize) -> (usize, usize) {
+        (0, pixels)
+    }
+
+    /// Draws pixels that are all seen and have their depths in place; `false` if they are to be
+    /// drawn as runs.
+    #[inline(always)]
+    fn placed(&self, _pixels: Placed<'_, A, C>) -> bool {
+        false
+    }
+}
+
+/// Attributes of pixels side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct Path<const A: usize> {
+    /// Of the first pixel, [`RUN_FRACTION`] fractional bits.
+    pub from: Values<A>,
+    /// Their change from the first to the second.
+    pub step: Values<A>,
+    /// How that changes from pixel to pixel.
+    pub bend: Values<A>,
 }
 
 /// Pixels side by side, with what is drawn there.
@@ -43,25 +70,12 @@ pub struct Run<'t, const A: usize, C = u8> {
     /// How many of the first pixels are seen and have their depths in place, if the
     /// shader is solid; of the others nothing is known.
     pub seen: usize,
-    /// Attributes of the first pixel, [`RUN_FRACTION`] fractional bits.
-    pub from: Values<A>,
-    /// Their change from the first to the second.
-    pub step: Values<A>,
-    /// How that changes from pixel to pixel.
-    pub bend: Values<A>,
+    /// Attributes.
+    pub path: Path<A>,
     /// The first pixel's footprint, where asked for.
     pub footprint: Footprint,
     /// How that changes from pixel to pixel.
     pub footprint_step: Footprint,
-}
-
-/// How the first two attributes change at a pixel's centre, or how that changes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Footprint {
-    /// From pixel to pixel.
-    pub across: [i32; 2],
-    /// From row to row.
-    pub down: [i32; 2],
 }
 
 impl<const A: usize, C: Copy> Run<'_, A, C> {
@@ -104,7 +118,8 @@ impl<const A: usize, C: Copy> Run<'_, A, C> {
         mut shade: impl FnMut(i32, &[i32; N], C) -> Option<C>,
     ) {
         let (mut z, dz) = self.depth;
-        let [mut values, mut steps, bends] = [self.from, self.step, self.bend].map(first::<A, N>);
+        let Path { from, step, bend } = self.path;
+        let [mut values, mut steps, bends] = [from, step, bend].map(first::<A, N>);
         let pixels = self.indices.iter_mut().zip(self.depths);
         for ((pixel, depth), number) in pixels.zip(0..) {
             let here = (z >> 16) as Depth;

@@ -4,7 +4,7 @@
 
 use super::attribute::Attribute;
 use super::attributes::Attributes;
-use super::gradient::{Plane, SmallPlane};
+use super::gradient::{Gradient, Plane, SmallPlane};
 use super::run::{RUN_FRACTION, Values};
 use super::scan::{Shape, Span, Stepped, scan};
 use super::small::{Planes, Rows, Steps, is_small, turned};
@@ -16,8 +16,15 @@ use crate::vertex::ScreenVertex;
 /// What is done with pixels. Not a closure, because that is not inlined where it is called.
 pub trait ShadePixel<const A: usize, C> {
     /// What stands at a screen column and row instead of `behind`, if the surface has that pixel;
-    /// attributes as in a [`Run`](super::Run).
-    fn pixel(&self, place: [i32; 2], depth: Depth, values: &Values<A>, behind: C) -> Option<C>;
+    /// depth (16.16, and half a unit more) and attributes as in a [`Run`](super::Run).
+    fn pixel(
+        &self,
+        begun: &Self::Begun,
+        place: [i32; 2],
+        depth: u32,
+        values: &Values<A>,
+        behind: C,
+    ) -> Option<C>;
 
     /// Whether what lies behind its pixels is hidden by them.
     fn hides(&self) -> bool;
@@ -25,35 +32,65 @@ pub trait ShadePixel<const A: usize, C> {
     /// By how much light may differ from corner to corner, in 1/64 of a level, at most 255 of
     /// them; 0 where attributes are the same on the screen and in space.
     fn contrast(&self, corners: &[Values<A>; 3]) -> u32;
+
+    /// Whether a triangle with so many columns and so much area, doubled, in sub-pixels squared,
+    /// may go pixel by pixel.
+    #[inline(always)]
+    fn suits(_columns: i32, _area: u64) -> bool {
+        true
+    }
+
+    /// What is known of a triangle's corners.
+    type Corners;
+
+    /// Sets the attributes of the corners, which are 0 before; `None` if the triangle does not
+    /// go pixel by pixel.
+    fn set(&self, corners: &mut [Values<A>; 3]) -> Option<Self::Corners>;
+
+    /// What is known of a triangle before its first pixel.
+    type Begun;
+
+    /// The same once it is known how depth and attributes change.
+    fn begin(
+        &self,
+        corners: &Self::Corners,
+        depth: Gradient,
+        values: [Gradient; A],
+    ) -> Option<Self::Begun>;
 }
 
 /// Draws a triangle if it shows one of `sides`, pixel by pixel; `None` if its attributes have to
-/// be interpolated in space, or exceed the formats. `set` sets those of the vertices, which are 0
-/// before, when they are needed.
+/// be interpolated in space, or exceed the formats.
 #[inline(never)]
-pub fn draw_shaded<const A: usize, C: Stored>(
+pub fn draw_shaded<const A: usize, C: Stored, S: ShadePixel<A, C>>(
     target: &mut Target<'_, C>,
     triangle: [&ScreenVertex; 3],
     sides: Sides,
-    set: &dyn Fn(&mut [Values<A>; 3]),
-    shade: &impl ShadePixel<A, C>,
+    shade: &S,
 ) -> Option<Drawn> {
     let seen = match shown(target, triangle, sides) {
         Ok(seen) => seen,
         Err(drawn) => return Some(drawn),
     };
+    let small = is_small(&seen, target);
+    let [[left, _], [right, _]] = seen.bounds;
+    if !S::suits((right - left) >> SUBPX_BITS, seen.area.unsigned_abs()) {
+        return None;
+    }
     let mut values = [[0; A]; 3];
-    set(&mut values);
+    // Not moved, which is a copy.
+    let known = shade.set(&mut values);
+    let known = known.as_ref()?;
     if bends(triangle, || shade.contrast(&values)) {
         return None;
     }
     let [a, b, c] = triangle;
     let [va, vb, vc] = &values;
     let with = [(a, va), (b, vb), (c, vc)];
-    let done = if is_small(&seen, target) {
-        fill_small(target, with, &seen, shade)
+    let done = if small {
+        fill_small(target, with, &seen, shade, known)
     } else {
-        fill_large(target, with, &seen, shade)
+        fill_large(target, with, &seen, shade, known)
     };
     done.then(|| seen.filled())
 }
@@ -76,11 +113,12 @@ fn bends(triangle: [&ScreenVertex; 3], contrast: impl FnOnce() -> u32) -> bool {
 
 /// Fills a small triangle; `false` if its attributes exceed the formats.
 #[inline(always)]
-fn fill_small<const A: usize, C: Stored>(
+fn fill_small<const A: usize, C: Stored, S: ShadePixel<A, C>>(
     target: &mut Target<'_, C>,
     triangle: [With<'_, A>; 3],
     seen: &Seen,
-    shade: &impl ShadePixel<A, C>,
+    shade: &S,
+    known: &S::Corners,
 ) -> bool {
     let with = turned(triangle, seen);
     let triangle = with.map(|(v, _)| v);
@@ -93,10 +131,19 @@ fn fill_small<const A: usize, C: Stored>(
     let set = planes.set(triangle, seen, rows.place(), |plane, place| {
         beside(plane, values, place)
     });
-    if set {
-        rows.draw(&planes, target, |span, steps| pixels(span, steps, shade));
+    if !set {
+        return false;
     }
-    set
+    let begun = shade.begin(known, planes.depth_change(), planes.changes());
+    let Some(begun) = &begun else {
+        return false;
+    };
+    for row in rows.all() {
+        if let Some((span, steps)) = rows.span(row, &planes, target) {
+            pixels(span, steps, shade, begun);
+        }
+    }
+    true
 }
 
 /// The attributes of a small triangle.
@@ -118,11 +165,12 @@ fn beside<const A: usize>(
 
 /// Fills a triangle of any size; `false` if its attributes exceed the formats.
 #[inline(never)]
-fn fill_large<const A: usize, C: Stored>(
+fn fill_large<const A: usize, C: Stored, S: ShadePixel<A, C>>(
     target: &mut Target<'_, C>,
     triangle: [With<'_, A>; 3],
     seen: &Seen,
-    shade: &impl ShadePixel<A, C>,
+    shade: &S,
+    known: &S::Corners,
 ) -> bool {
     let (sorted, flipped) = sort(triangle);
     let shape = Shape {
@@ -138,13 +186,18 @@ fn fill_large<const A: usize, C: Stored>(
     let Some(planes) = Stepping::new(&shape, values, first) else {
         return false;
     };
+    let changes = planes.values.each_ref().map(|value| value.gradient);
+    let begun = shade.begin(known, planes.z.gradient, changes);
+    let Some(begun) = &begun else {
+        return false;
+    };
     scan(
         target,
         &shape,
         |row| Some(planes.on(row - first)),
         |span, at| {
             let [left, _] = span.place;
-            pixels(span, at.steps(left - column), shade);
+            pixels(span, at.steps(left - column), shade, begun);
         },
         |_| {},
     );
@@ -203,17 +256,18 @@ impl<const A: usize> Stepping<A> {
 
 /// A row's pixels.
 #[inline(always)]
-fn pixels<const A: usize, C: Stored>(
+fn pixels<const A: usize, C: Stored, S: ShadePixel<A, C>>(
     span: Span<'_, C>,
     mut steps: Steps<A>,
-    shade: &impl ShadePixel<A, C>,
+    shade: &S,
+    begun: &S::Begun,
 ) {
     let ([mut column, row], hides) = (span.place, shade.hides());
     let (mut z, dz) = steps.z;
     for (pixel, depth) in span.indices.iter_mut().zip(span.depths) {
         let here = (z >> 16) as Depth;
         if here > *depth
-            && let Some(shaded) = shade.pixel([column, row], here, &steps.values, *pixel)
+            && let Some(shaded) = shade.pixel(begun, [column, row], z, &steps.values, *pixel)
         {
             *pixel = shaded;
             if hides {

@@ -10,7 +10,7 @@ use core::ops::Range;
 
 use super::attribute::Attribute;
 use super::attributes::steep_depth;
-use super::gradient::SmallPlane;
+use super::gradient::{Gradient, SmallPlane};
 use super::scan::Span;
 use super::span::{self, Fill};
 use super::triangle::Seen;
@@ -32,8 +32,10 @@ pub(super) fn is_small<C>(seen: &Seen, target: &Target<'_, C>) -> bool {
 }
 
 /// Of each row, from the leftmost vertex's column: the first pixel, and the one after the
-/// last; then the row's number, and a byte that makes it a word.
-type Spans = [[u8; 4]; PIXELS];
+/// last; then the row's number, and a byte that makes it a word. Aligned as words are: they are
+/// copied for each triangle, and cores that load words from their own places alone would go by bytes.
+#[repr(align(4))]
+struct Spans([[u8; 4]; PIXELS]);
 
 /// Rows without pixels. Numbers are read back instead of counted: what is counted along
 /// takes registers through a row's pixels, which have none to spare.
@@ -47,7 +49,7 @@ const EMPTY: Spans = {
         }
         row += 1;
     }
-    spans
+    Spans(spans)
 };
 
 /// The rows of a small triangle of which a pixel was found.
@@ -132,64 +134,75 @@ impl Rows {
     pub(super) fn find(&mut self, triangle: [&ScreenVertex; 3]) -> bool {
         let count = self.numbers.end as i32;
         find_spans(&mut self.spans, triangle, self.place, count);
-        let mut spans = self.spans.iter();
-        let first = spans.position(|[left, right, ..]| left < right);
+        let mut spans = self.spans.0.iter();
+        let first = spans.position(|[left, right, ..]| {
+            keep_rolled();
+            left < right
+        });
         self.numbers.start = first.unwrap_or(self.numbers.end);
         first.is_some()
     }
 
-    /// Hands on each row's pixels, with the attributes of the first.
+    /// The rows that may have pixels.
     #[inline(always)]
-    pub(super) fn draw<const N: usize, C>(
+    pub(super) fn all(&self) -> &[[u8; 4]] {
+        self.spans.0.get(self.numbers.clone()).unwrap_or_default()
+    }
+
+    /// A row's pixels, if it has some, with the attributes of the first.
+    #[inline(always)]
+    pub(super) fn span<'t, const N: usize, C>(
         &self,
+        row: &[u8; 4],
         planes: &Planes<N>,
-        target: &mut Target<'_, C>,
-        draw: impl Fn(Span<'_, C>, Steps<N>),
-    ) {
-        let stride = i32::from(target.stride);
-        let spans = self.spans.get(self.numbers.clone()).unwrap_or_default();
-        for [left, right, row, _] in spans {
-            let [left, right, row] = [*left, *right, *row].map(i32::from);
-            if left < right {
-                let start = self.start + row * stride;
-                let pixels = (start + left) as usize..(start + right) as usize;
-                if let (Some(indices), Some(depths)) = (
-                    target.indices.get_mut(pixels.clone()),
-                    target.depths.get_mut(pixels),
-                ) {
-                    let [column, first] = self.place;
-                    let span = Span {
-                        indices,
-                        depths,
-                        place: [column + left, first + row],
-                    };
-                    let Planes { z, values } = planes;
-                    let steps = Steps {
-                        z: (z.below(row, left), z.gradient.x),
-                        values: values.each_ref().map(|v| v.below(row, left) as i32),
-                        change: values.each_ref().map(|v| v.gradient.x),
-                    };
-                    draw(span, steps);
-                }
-            }
+        target: &'t mut Target<'_, C>,
+    ) -> Option<(Span<'t, C>, Steps<N>)> {
+        let [left, right, row, _] = row.map(i32::from);
+        if left >= right {
+            return None;
         }
+        let start = self.start + row * i32::from(target.stride);
+        let pixels = (start + left) as usize..(start + right) as usize;
+        let (Some(indices), Some(depths)) = (
+            target.indices.get_mut(pixels.clone()),
+            target.depths.get_mut(pixels),
+        ) else {
+            return None;
+        };
+        let [column, first] = self.place;
+        let span = Span {
+            indices,
+            depths,
+            place: [column + left, first + row],
+        };
+        let Planes { z, values } = planes;
+        let steps = Steps {
+            z: (z.below(row, left), z.gradient.x),
+            values: values.each_ref().map(|v| v.below(row, left) as i32),
+            change: values.each_ref().map(|v| v.gradient.x),
+        };
+        Some((span, steps))
     }
 }
 
 #[inline(never)]
 fn draw_flat(rows: &Rows, planes: &Planes<0>, target: &mut Target<'_>, index: u8) {
-    rows.draw(planes, target, |span, Steps { z: (z, dz), .. }| {
-        span::flat(span.indices, span.depths, z, dz, index);
-    });
+    for row in rows.all() {
+        if let Some((span, Steps { z: (z, dz), .. })) = rows.span(row, planes, target) {
+            span::flat(span.indices, span.depths, z, dz, index);
+        }
+    }
 }
 
 #[inline(never)]
 fn draw_gouraud(rows: &Rows, planes: &Planes<1>, target: &mut Target<'_>, shades: &[u8; 256]) {
-    rows.draw(planes, target, |span, steps| {
-        let ([level], [change]) = (steps.values, steps.change);
-        let level = (level as u32, change);
-        span::gouraud(span.indices, span.depths, steps.z, level, shades);
-    });
+    for row in rows.all() {
+        if let Some((span, steps)) = rows.span(row, planes, target) {
+            let ([level], [change]) = (steps.values, steps.change);
+            let level = (level as u32, change);
+            span::gouraud(span.indices, span.depths, steps.z, level, shades);
+        }
+    }
 }
 
 /// Finds the pixels of `count` rows between the edges of a triangle, from a pixel on that
@@ -238,7 +251,7 @@ fn follow_down<const LEFT: bool>(
     const FRACTION: i32 = (1 << SUBPX_BITS) - 1;
     let top = y >> SUBPX_BITS;
     let end = (y_end >> SUBPX_BITS).min(count);
-    let Some(rows) = spans.get_mut(top.max(0) as usize..end as usize) else {
+    let Some(rows) = spans.0.get_mut(top.max(0) as usize..end as usize) else {
         return;
     };
     if rows.is_empty() {
@@ -343,6 +356,16 @@ impl<const N: usize> Planes<N> {
             self.z = z.aside(column - (a.x().to_bits() >> SUBPX_BITS));
         }
         steep.is_some()
+    }
+
+    /// How depth changes.
+    pub(super) fn depth_change(&self) -> Gradient {
+        self.z.gradient
+    }
+
+    /// How the values change.
+    pub(super) fn changes(&self) -> [Gradient; N] {
+        self.values.each_ref().map(|value| value.gradient)
     }
 }
 

@@ -6,11 +6,12 @@
 //! screen. They are held in 64 bits, exact to 2^-28 of their largest value, and
 //! divided at the ends of runs so short that a parabola between does not show (after
 //! Heckbert and Moreton, "Interpolation for polygon texture mapping and shading",
-//! 1991).
+//! 1991), or a cubic where nothing is asked for pixel by pixel.
 
 use super::corners::{Corner, Corners, SurfaceKind};
+use super::footprint::Footprint;
 use super::gradient::places;
-use super::run::{Footprint, Run, Shade};
+use super::run::{Path, Run, Shade};
 use super::scan::{Shape, Span, scan};
 use super::sliver::{mix, weights};
 use super::surface_planes::Surface;
@@ -89,9 +90,11 @@ fn sliver<const A: usize, C>(
             place: [column, row],
             depth: (((z as u32) << 12).wrapping_add(1 << 15), 0),
             seen: 0,
-            from,
-            step: [0; A],
-            bend: [0; A],
+            path: Path {
+                from,
+                step: [0; A],
+                bend: [0; A],
+            },
             footprint: Footprint::default(),
             footprint_step: Footprint::default(),
         });

@@ -3,9 +3,11 @@
 use super::attribute::Attribute;
 use super::attributes::Attributes;
 use super::corners::{Corners, SurfaceKind};
+use super::footprint::Footprint;
 use super::gradient::Plane;
 use super::nearer::put_nearer;
-use super::run::{Footprint, LONGEST_RUN, MOST_ATTRIBUTES, RUN_FRACTION, Run, Shade, Values};
+use super::placed::LONGEST;
+use super::run::{LONGEST_RUN, MOST_ATTRIBUTES, Path, RUN_FRACTION, Run, Shade, Values};
 use super::scan::{Shape, Span, Stepped};
 use crate::frame::Stored;
 use crate::math::{HALF_PX, Reciprocal, SUBPX_BITS, mul_high, reciprocal};
@@ -13,10 +15,10 @@ use crate::math::{HALF_PX, Reciprocal, SUBPX_BITS, mul_high, reciprocal};
 /// A quantity that is linear on the screen, at the centre of one pixel, and its
 /// change a pixel: 16 fractional bits.
 #[derive(Clone, Copy, Default)]
-struct Linear {
+pub(super) struct Linear {
     at: i64,
-    x: i64,
-    y: i64,
+    pub x: i64,
+    pub y: i64,
 }
 
 impl Linear {
@@ -37,7 +39,7 @@ impl Linear {
     /// The whole part `columns` (below 2^14 either way) to the right. In two 32-bit
     /// halves: what lies inside the triangle is in range.
     #[inline(always)]
-    fn at(&self, columns: i32) -> i32 {
+    pub fn at(&self, columns: i32) -> i32 {
         let low = |v: i64| (v & 0xffff) as i32;
         let high = |v: i64| (v >> 16) as i32;
         let rest = low(self.x) * columns + low(self.at);
@@ -51,12 +53,17 @@ impl Linear {
 #[derive(Clone, Copy)]
 pub(super) struct Surface<const A: usize> {
     depth: Attribute,
-    nearness: Linear,
-    attributes: [Linear; A],
+    pub nearness: Linear,
+    /// 1 / (change of nearness a pixel, without its sign), in perspective.
+    pub over_change: Reciprocal,
+    pub attributes: [Linear; A],
     /// What the attributes were divided by.
-    shifts: [i8; A],
-    kind: SurfaceKind,
-    perspective: bool,
+    pub shifts: [i8; A],
+    /// Changes a pixel and a row of what footprints need in perspective, whole parts: of the first
+    /// two attributes, and of nearness.
+    pub changes: [[i32; 3]; 2],
+    pub kind: SurfaceKind,
+    pub perspective: bool,
 }
 
 impl<const A: usize> Stepped for Surface<A> {
@@ -74,11 +81,11 @@ impl<const A: usize> Stepped for Surface<A> {
 const RUN: i32 = LONGEST_RUN as i32 - 1;
 
 /// `2^31 / n`, rounded to nearest; for 1, as near to it as fits.
-const OVER: [i32; RUN as usize + 1] = {
-    let mut table = [0; RUN as usize + 1];
+pub(super) const OVER: [i32; LONGEST as usize + 1] = {
+    let mut table = [0; LONGEST as usize + 1];
     let mut n = 2;
     table[1] = i32::MAX;
-    while n <= RUN as usize {
+    while n <= LONGEST as usize {
         #[expect(clippy::indexing_slicing, reason = "evaluated by the compiler")]
         {
             table[n] = (((1u64 << 32) / n as u64 + 1) >> 1) as i32;
@@ -94,8 +101,10 @@ impl<const A: usize> Surface<A> {
         let mut surface = Self {
             depth: Attributes::depth(shape, row)?,
             nearness: Linear::default(),
+            over_change: Reciprocal::default(),
             attributes: [Linear::default(); A],
             shifts: [0; A],
+            changes: [[0; 3]; 2],
             kind: corners.kind,
             perspective: corners.perspective,
         };
@@ -103,6 +112,9 @@ impl<const A: usize> Surface<A> {
             // A bit less, so that differences fit.
             let nearness = corners.nearness.map(|n| n >> 1);
             surface.nearness = Linear::new(plane, shape, nearness, row)?;
+            // Rounded up.
+            let change = (surface.nearness.x.unsigned_abs() >> 16) as u32 + 1;
+            surface.over_change = reciprocal(change);
         }
         let slots = surface.attributes.iter_mut().zip(&mut surface.shifts);
         for (which, (attribute, shift)) in slots.enumerate().take(corners.kind.attributes) {
@@ -110,12 +122,15 @@ impl<const A: usize> Surface<A> {
             *attribute = Linear::new(plane, shape, values, row)?;
             *shift = down as i8;
         }
+        if corners.kind.footprint {
+            surface.changes = surface.changes_of_planes();
+        }
         Some(surface)
     }
 
     /// How many attributes there are: known beforehand to kernels of their own.
     #[inline(always)]
-    fn count(&self) -> usize {
+    pub(super) fn count(&self) -> usize {
         if A < MOST_ATTRIBUTES {
             A
         } else {
@@ -123,7 +138,7 @@ impl<const A: usize> Surface<A> {
         }
     }
 
-    /// Hands on a span in runs.
+    /// Hands on a span in runs, or in longer ones if that is enough.
     #[inline(always)]
     pub(super) fn runs<C: Stored>(&self, span: Span<'_, C>, column: i32, shade: &impl Shade<A, C>) {
         let Span {
@@ -132,18 +147,29 @@ impl<const A: usize> Surface<A> {
             place: [mut left, row],
         } = span;
         let z = &self.depth;
-        let mut from = self.here(left - column, &Here::default());
-        let mut footprint = self.footprint(&from);
+        let (mut from, mut footprint) = self.start(left - column);
         let mut seen = 0;
+        if shade.solid() {
+            seen = put_nearer(depths, z.at(left - column), z.gradient.x);
+            if seen == indices.len() {
+                let drawn = self.placed(indices, [left, row], column, (&from, &footprint), shade);
+                (indices, depths) = match (indices.get_mut(drawn..), depths.get_mut(drawn..)) {
+                    (Some(rest), Some(rest_depths)) if !rest.is_empty() => (rest, rest_depths),
+                    _ => return,
+                };
+                if drawn != 0 {
+                    left += drawn as i32;
+                    seen -= drawn;
+                    (from, footprint) = self.start(left - column);
+                }
+            }
+        }
         loop {
             let depth = (z.at(left - column), z.gradient.x);
-            if seen == 0 && shade.solid() {
-                seen = put_nearer(depths, depth.0, depth.1);
-            }
             let last = indices.len() as i32 - 1;
             let pixels = self.run(&from).min(last);
             let to = self.here(left - column + pixels, &from);
-            let [step, bend] = self.steps(&from, &to, pixels);
+            let path = self.path(&from, &to, pixels);
             // The last run has its last pixel too.
             let count = if pixels == last { last + 1 } else { pixels };
             let next = self.footprint(&to);
@@ -160,9 +186,7 @@ impl<const A: usize> Surface<A> {
                 place: [left, row],
                 depth,
                 seen: seen.min(count as usize),
-                from: from.values,
-                step,
-                bend,
+                path,
                 footprint,
                 footprint_step,
             });
@@ -172,12 +196,21 @@ impl<const A: usize> Surface<A> {
             };
             left += drawn as i32;
             seen = seen.saturating_sub(drawn);
+            if seen == 0 && shade.solid() {
+                seen = put_nearer(depths, z.at(left - column), z.gradient.x);
+            }
             (from, footprint) = (to, next);
             if drawn as i32 != pixels {
-                from = self.here(left - column, &Here::default());
-                footprint = self.footprint(&from);
+                (from, footprint) = self.start(left - column);
             }
         }
+    }
+
+    /// What is `columns` to the right, and its footprint. There once: it is long.
+    #[inline(never)]
+    pub(super) fn start(&self, columns: i32) -> (Here<A>, Footprint) {
+        let here = self.here(columns, &Here::default());
+        (here, self.footprint(&here))
     }
 
     /// How many pixels a parabola is good for: nearness changes by less than a quarter
@@ -207,7 +240,7 @@ impl<const A: usize> Surface<A> {
 
     /// What is `columns` to the right; along many spans nearness is what it was before.
     #[inline(always)]
-    fn here(&self, columns: i32, before: &Here<A>) -> Here<A> {
+    pub(super) fn here(&self, columns: i32, before: &Here<A>) -> Here<A> {
         let mut values = [0; A];
         let all = self.attributes.iter().zip(self.shifts);
         let all = all.take(self.count()).zip(&mut values);
@@ -232,64 +265,11 @@ impl<const A: usize> Surface<A> {
         }
     }
 
-    /// How a footprint changes from pixel to pixel between two that are `pixels` apart.
-    #[inline(always)]
-    fn footprint_step(&self, from: Footprint, to: Footprint, pixels: i32) -> Footprint {
-        if !self.kind.footprint {
-            return Footprint::default();
-        }
-        let over = OVER.get(pixels as usize).copied().unwrap_or(0);
-        let part = |from: i32, to: i32| mul_high(to.wrapping_sub(from), over) << 1;
-        let parts = |[a, b]: [i32; 2], [c, d]: [i32; 2]| [part(a, c), part(b, d)];
-        Footprint {
-            across: parts(from.across, to.across),
-            down: parts(from.down, to.down),
-        }
-    }
-
-    /// The footprint of a pixel, where asked for.
-    #[inline(always)]
-    fn footprint(&self, here: &Here<A>) -> Footprint {
-        if !self.kind.footprint {
-            return Footprint::default();
-        }
-        Footprint {
-            across: self.change(here, |plane| plane.x),
-            down: self.change(here, |plane| plane.y),
-        }
-    }
-
-    /// The change of the first two attributes along an axis: (P' - a N') / N for the
-    /// attribute a = P / N.
-    #[inline(always)]
-    fn change(&self, here: &Here<A>, along: impl Fn(&Linear) -> i64) -> [i32; 2] {
-        let mut changes = [0; 2];
-        let all = self.attributes.iter().zip(self.shifts).zip(here.values);
-        if !self.perspective {
-            for (((attribute, _), _), change) in all.zip(&mut changes) {
-                *change = (along(attribute) >> 16) as i32;
-            }
-            return changes;
-        }
-        // As they are: whole parts have 30 bits.
-        let whole = |v: i64| (v >> 16).clamp(-(1 << 30), 1 << 30);
-        let nearer = whole(along(&self.nearness)) << 1;
-        for (((attribute, shift), value), change) in all.zip(&mut changes) {
-            // In the units of the product; in 64 bits, as far from the origin of a
-            // texture that repeats often P' and a N' are all but the same.
-            let down = i32::from(shift) + RUN_FRACTION as i32;
-            let lens = (i64::from(value) * nearer) >> (down & 63);
-            let own = (whole(along(attribute)) - lens).clamp(-(1 << 31), (1 << 31) - 1);
-            *change = quotient(own as i32, here.recip, shift);
-        }
-        changes
-    }
-
-    /// The first pixel's change and how it changes, over `pixels` steps: a parabola with
+    /// From one pixel to another, over `pixels` steps: a parabola with
     /// the ends and the middle of P / N, which is off a straight line by
     /// `change * t (1 - t) (N1 - N0) / N` after the part t of the run.
     #[inline(always)]
-    fn steps(&self, from: &Here<A>, to: &Here<A>, pixels: i32) -> [Values<A>; 2] {
+    fn path(&self, from: &Here<A>, to: &Here<A>, pixels: i32) -> Path<A> {
         let (mut steps, mut bends) = ([0; A], [0; A]);
         let ends = from.values.iter().zip(&to.values);
         let all = steps.iter_mut().zip(&mut bends).zip(ends);
@@ -317,18 +297,22 @@ impl<const A: usize> Surface<A> {
             let bent = bend.wrapping_mul(pixels - 1) >> 1;
             *step = (mul_high(change, over) << 1 | 1).wrapping_sub(bent);
         }
-        [steps, bends]
+        Path {
+            from: from.values,
+            step: steps,
+            bend: bends,
+        }
     }
 }
 
 /// A surface at one pixel.
 #[derive(Clone, Copy)]
-struct Here<const A: usize> {
+pub(super) struct Here<const A: usize> {
     /// 1 / distance, and its reciprocal: in perspective alone.
-    nearness: u32,
-    recip: Reciprocal,
+    pub nearness: u32,
+    pub recip: Reciprocal,
     /// The attributes, [`RUN_FRACTION`] fractional bits.
-    values: Values<A>,
+    pub values: Values<A>,
 }
 
 impl<const A: usize> Default for Here<A> {
@@ -344,7 +328,7 @@ impl<const A: usize> Default for Here<A> {
 /// An attribute from its product with nearness (half of it, as it is held), with
 /// [`RUN_FRACTION`] fractional bits.
 #[inline(always)]
-fn quotient(product: i32, recip: Reciprocal, shift: i8) -> i32 {
+pub(super) fn quotient(product: i32, recip: Reciprocal, shift: i8) -> i32 {
     // product * 2^shift / (2 * half): high * 2^(32 + shift + recip.shift - 62 - 1).
     let high = mul_high(product, recip.mantissa);
     // Within -31..=31, as shifts are.

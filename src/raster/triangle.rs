@@ -6,6 +6,7 @@ use super::scan::{Shape, Span, scan};
 use super::sliver;
 use super::small::{fill_small, is_small};
 use super::span::{self, Fill};
+use super::tiny::{fill_tiny, is_tiny};
 use crate::frame::Target;
 use crate::math::{HALF_PX, SUBPX_BITS, product};
 use crate::vertex::ScreenVertex;
@@ -173,8 +174,11 @@ fn fill_triangle(
         && perspective
         && matches!(fill, Fill::Gouraud(_))
         && perspective::shows(triangle, seen);
-    if !perspective && is_small(seen, target) && fill_small(target, triangle, seen, fill) {
-        return;
+    if !perspective && is_small(seen, target) {
+        let tiny = is_tiny(seen) && fill_tiny(target, triangle, seen, fill);
+        if tiny || fill_small(target, triangle, seen, fill) {
+            return;
+        }
     }
     fill_large(target, triangle, seen, perspective, fill);
 }

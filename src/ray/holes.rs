@@ -16,6 +16,6 @@ pub(super) fn is_hole(scene: &Scene<'_>, mesh: &Mesh, texture: u8, place: [i32; 
         ..texture
     };
     let sampler = Sampler::new(scene, largest, own);
-    let (path, place) = sampler.point(place);
-    sampler.nearest(&path, place).is_none()
+    let (picture, place) = sampler.point(place);
+    sampler.nearest(&picture, place).is_none()
 }

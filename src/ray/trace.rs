@@ -312,14 +312,14 @@ fn textured(
         return plain;
     };
     let sampler = Sampler::new(scene, texture, own);
-    let (path, place) = sampler.point(place);
+    let (picture, place) = sampler.point(place);
     if material.coloured {
-        match sampler.colour(&path, place) {
+        match sampler.colour(&picture, place) {
             Some(texel) => (on_texel(parts, texel), None),
             None => plain,
         }
     } else {
-        let base = sampler.nearest(&path, place).unwrap_or(NO_TEXEL);
+        let base = sampler.nearest(&picture, place).unwrap_or(NO_TEXEL);
         (sum(parts.body, parts.gloss), Some(base % BASES as u8))
     }
 }

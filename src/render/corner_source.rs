@@ -26,13 +26,19 @@ impl CornerSource<'_> {
     /// perspective normals are as long as they are near: linear on the screen are those, and of
     /// a normal nothing but its direction is asked for.
     pub fn set<const A: usize>(&self, triangle: &Triangle<'_>, out: &mut [Values<A>; 3]) {
+        let first = self.surface.attributes.before_light();
         if self.surface.attributes.lighting == Lighting::Face {
             let Parts { body, gloss } = self.face(triangle);
-            let light = sum(body, gloss);
-            for values in out {
-                put(values, 0, light.map(|c| fine(c.into())));
+            if !self.surface.attributes.textured {
+                for values in out {
+                    put(values, first, sum(body, gloss).map(|c| fine(c.into())));
+                }
+                return;
             }
-            return;
+            for values in out.iter_mut() {
+                put(values, first, body.map(|c| fine(c.into())));
+                put(values, first + 3, gloss.map(|c| fine(c.into())));
+            }
         }
         for (values, index) in out.iter_mut().zip(triangle.indices) {
             self.attributes(*index, values);
@@ -43,10 +49,16 @@ impl CornerSource<'_> {
                 *values = weighted(&whole, cut.weights);
             }
         }
-        if self.perspective && self.surface.attributes.lighting == Lighting::Pixel {
+        if self.in_space(triangle) && self.surface.attributes.lighting == Lighting::Pixel {
             let nearness = triangle.corners.map(|corner| corner.z().to_bits());
-            lengthen(out, nearness);
+            lengthen(out, first, nearness);
         }
+    }
+
+    /// Whether a triangle's attributes are interpolated in space. What is cut is even if the rest
+    /// is not: along the screen there is nothing right for it.
+    pub fn in_space(&self, triangle: &Triangle<'_>) -> bool {
+        self.perspective || triangle.cuts.is_some() && self.part.view.perspective
     }
 
     /// The corners of a triangle.
@@ -62,9 +74,7 @@ impl CornerSource<'_> {
         });
         if let Some(cuts) = triangle.cuts {
             for (corner, cut) in corners.iter_mut().zip(cuts) {
-                // What is cut is interpolated in space even if the rest is not: along
-                // the screen there is nothing right for it.
-                if view.perspective {
+                if self.in_space(triangle) {
                     corner.distance = cut.distance;
                 }
                 corner.attributes = weighted(&whole, cut.weights);
@@ -189,9 +199,9 @@ pub(super) fn weighted<const A: usize>(corners: &[Values<A>; 3], weights: [i32; 
     values
 }
 
-/// Multiplies the first three attributes by nearness, the nearest's with 14 bits.
+/// Multiplies three attributes by nearness, the nearest's with 14 bits.
 #[inline(never)]
-fn lengthen<const A: usize>(corners: &mut [Values<A>; 3], nearness: [u32; 3]) {
+fn lengthen<const A: usize>(corners: &mut [Values<A>; 3], first: usize, nearness: [u32; 3]) {
     let most = nearness.iter().fold(0, |most, n| most | n);
     let up = most.leading_zeros() as i32 - 18;
     if most == 0 {
@@ -199,7 +209,7 @@ fn lengthen<const A: usize>(corners: &mut [Values<A>; 3], nearness: [u32; 3]) {
     }
     for (values, n) in corners.iter_mut().zip(nearness) {
         let n = if up >= 0 { n << up } else { n >> -up } as i32;
-        for c in values.iter_mut().take(3) {
+        for c in values.iter_mut().skip(first).take(3) {
             // 14 bits and a sign.
             *c = (*c >> RUN_FRACTION) * n;
         }

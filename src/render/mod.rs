@@ -24,6 +24,7 @@ mod scratch;
 mod short_list;
 mod stats;
 mod surface;
+mod surface_pixels;
 mod surface_runs;
 mod triangles;
 mod viewports;

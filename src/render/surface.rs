@@ -6,12 +6,13 @@ use super::corner_source::CornerSource;
 use super::draw::Part;
 use super::paint::Paint;
 use super::stats::FrameStats;
+use super::surface_pixels::Textured;
 use super::surface_runs::{Others, Runs, Texels, Through, Way};
 use super::triangles::{Done, Draw, Triangle, triangles};
 use crate::frame::{Stored, Target};
 use crate::light::{Parts, Patch, SurfaceLights, sum};
 use crate::math::FineLevel;
-use crate::raster::{Drawn, How, MOST_ATTRIBUTES, Shade, Sides, SurfaceKind, Values};
+use crate::raster::{Drawn, How, MOST_ATTRIBUTES, Shade, ShadePixel, Sides, SurfaceKind};
 use crate::raster::{draw_shaded, draw_surface, draw_triangle};
 use crate::scene::Transparency;
 use crate::scene::layout::TEXTURE_SHADES;
@@ -156,10 +157,20 @@ impl<P: Paint> Draw for Surfaces<'_, '_, P> {
             through,
             fog_row: Cell::default(),
         };
-        let drawn = match lighting {
-            _ if attributes.textured => None,
-            Lighting::Face | Lighting::Level | Lighting::Colour => self.shaded::<3>(&others),
-            Lighting::Pixel => self.shaded::<9>(&others),
+        let drawn = match (lighting, sampler) {
+            // Of what the scene does not have, there are no coordinates either.
+            (_, None) if attributes.textured => None,
+            (Lighting::Pixel, None) => self.shaded::<9>(triangle, &others),
+            (_, None) => self.shaded::<3>(triangle, &others),
+            (lighting, Some(sampler)) => {
+                let others = &others;
+                let textured = Textured { others, sampler };
+                if lighting == Lighting::Pixel {
+                    self.shaded::<11>(triangle, &textured)
+                } else {
+                    self.shaded::<8>(triangle, &textured)
+                }
+            }
         };
         if let Some(drawn) = drawn {
             return drawn;
@@ -176,12 +187,13 @@ impl<P: Paint> Draw for Surfaces<'_, '_, P> {
 }
 
 impl<P: Paint> Surfaces<'_, '_, P> {
-    /// Draws a triangle without texture pixel by pixel, if that is enough.
-    fn shaded<const A: usize>(&mut self, others: &Others<'_, P>) -> Option<Drawn> {
-        let triangle = others.runs.triangle;
-        let set = &|values: &mut [Values<A>; 3]| self.corners.set(triangle, values);
-        let (corners, sides) = (triangle.corners, self.sides);
-        draw_shaded::<A, _>(self.target, corners, sides, set, others)
+    /// Draws a triangle pixel by pixel, if that is enough.
+    fn shaded<const A: usize>(
+        &mut self,
+        triangle: &Triangle<'_>,
+        shade: &impl ShadePixel<A, P::Stored>,
+    ) -> Option<Drawn> {
+        draw_shaded(self.target, triangle.corners, self.sides, shade)
     }
 
     fn texels<const A: usize>(
@@ -197,6 +209,10 @@ impl<P: Paint> Surfaces<'_, '_, P> {
         };
         match P::Stored::indices(self.target) {
             Some(target) => {
+                let corners = texels.runs.triangle.corners;
+                if let Some(drawn) = draw_shaded(target, corners, self.sides, &texels) {
+                    return drawn;
+                }
                 draw_runs::<A, _, _>(target, &texels.runs, self.sides, self.kind, &texels)
             }
             None => Drawn::NOTHING,

@@ -1,4 +1,4 @@
-//! Pixels of a surface's triangle, in runs or one by one: from attributes to indices.
+//! Pixels of a surface's triangle in runs: from attributes to indices.
 
 use core::cell::Cell;
 
@@ -8,7 +8,7 @@ use super::triangles::Triangle;
 use crate::frame::Stored;
 use crate::light::{Parts, sum};
 use crate::math::Depth;
-use crate::raster::{Corner, MOST_ATTRIBUTES, Run, Shade, ShadePixel, Values};
+use crate::raster::{Corner, Footprint, Fours, MOST_ATTRIBUTES, Placed, Run, Shade};
 use crate::scene::layout::{COLOURS, TEXTURE_SHADES};
 use crate::shade::{Blend, Lookup, Pixel, Sampler, ScreenDoor, Surface, on_texel};
 
@@ -28,12 +28,12 @@ pub(super) enum Through<'a> {
     Blend(Blend<'a>),
 }
 
-/// What the runs of a triangle have in common.
+/// What a triangle's runs, or pixels, have in common.
 pub(super) struct Runs<'a, P> {
-    paint: &'a P,
-    ids: Ids,
-    surface: &'a Surface<'a>,
-    corners: &'a CornerSource<'a>,
+    pub paint: &'a P,
+    pub ids: Ids,
+    pub surface: &'a Surface<'a>,
+    pub source: &'a CornerSource<'a>,
     pub triangle: &'a Triangle<'a>,
     /// Light of the face, once corners are known.
     face: Cell<Parts>,
@@ -45,7 +45,7 @@ impl<'a, P: Paint> Runs<'a, P> {
             paint,
             ids: corners.part.ids(triangle.number),
             surface: corners.surface,
-            corners,
+            source: corners,
             triangle,
             face: Cell::default(),
         }
@@ -53,14 +53,14 @@ impl<'a, P: Paint> Runs<'a, P> {
 
     /// The corners of a triangle that is drawn.
     pub fn corners<const A: usize>(&self) -> [Corner<A>; 3] {
-        self.face.set(self.corners.face(self.triangle));
-        self.corners.of(self.triangle)
+        self.face.set(self.source.face(self.triangle));
+        self.source.of(self.triangle)
     }
 
     /// Draws a run of texels by level, each wrapped by itself.
     #[cold]
     #[inline(never)]
-    fn path<const A: usize, C: Stored>(
+    fn wrapped<const A: usize, C: Stored>(
         &self,
         shades: &[u8; TEXTURE_SHADES],
         sampler: &Sampler<'_>,
@@ -68,13 +68,13 @@ impl<'a, P: Paint> Runs<'a, P> {
         store: impl Fn(P::Stored) -> Option<C>,
     ) -> usize {
         let ([left, row], face) = (run.place, self.face.get());
-        let (path, count) = sampler.path(&run);
+        let (places, picture, count) = sampler.path(&run);
         run.cut(count)
             .unplaced()
             .draw::<A>(true, |number, values, _| {
-                let at = path.places.at(number);
+                let at = places.at(number);
                 let pixel = Pixel {
-                    lookup: Lookup::Texel(shades, sampler.nearest(&path, at)?),
+                    lookup: Lookup::Texel(shades, sampler.nearest(&picture, at)?),
                     lit: self.surface.light(values, face).body,
                     place: [left + number, row],
                     texel: at,
@@ -92,26 +92,53 @@ pub(super) struct Texels<'a, P> {
     pub sampler: &'a Sampler<'a>,
 }
 
+impl<'a, P: Paint> Texels<'a, P> {
+    /// From a pixel's number in a run, its light level and texel to an index.
+    #[inline(always)]
+    fn pixel<const A: usize>(
+        &self,
+        [left, row]: [i32; 2],
+        places: Fours<2>,
+    ) -> impl Fn(i32, i32, u8) -> u8 + use<'a, A, P> {
+        let (Runs { paint, ids, .. }, shades) = (&self.runs, self.shades);
+        let (paint, ids, face) = (*paint, *ids, self.runs.face.get());
+        move |number, level, base| {
+            let pixel = Pixel {
+                lookup: Lookup::Texel(shades, base),
+                lit: if A > 2 { [level as u16; 3] } else { face.body },
+                place: [left + number, row],
+                texel: places.at(number),
+            };
+            paint.surface(&pixel, ids).index().unwrap_or_default()
+        }
+    }
+}
+
 impl<const A: usize, P: Paint> Shade<A> for Texels<'_, P> {
     #[inline(always)]
     fn run(&self, run: Run<'_, A>) -> usize {
         let Some((strip, count)) = self.sampler.strip(&run) else {
             return self
                 .runs
-                .path(self.shades, self.sampler, run, Stored::index);
+                .wrapped(self.shades, self.sampler, run, Stored::index);
         };
-        let ([left, row], face) = (run.place, self.runs.face.get());
-        let (Runs { paint, ids, .. }, shades, places) = (&self.runs, self.shades, strip.places);
-        strip.draw(run.cut(count), move |number, level, base| {
-            let pixel = Pixel {
-                lookup: Lookup::Texel(shades, base),
-                lit: if A > 2 { [level as u16; 3] } else { face.body },
-                place: [left + number, row],
-                texel: places.at_in_fours(number),
-            };
-            paint.surface(&pixel, *ids).index().unwrap_or_default()
-        });
+        let shade = self.pixel::<A>(run.place, strip.places);
+        strip.draw(run.cut(count), shade);
         count
+    }
+
+    #[inline(always)]
+    fn alike(&self, footprint: &Footprint, step: &Footprint, pixels: usize) -> (usize, usize) {
+        self.sampler.alike(footprint, step, pixels)
+    }
+
+    #[inline(always)]
+    fn placed(&self, pixels: Placed<'_, A>) -> bool {
+        let Some(strip) = self.sampler.strip_of(&pixels) else {
+            return false;
+        };
+        strip.draw_all(pixels.indices, self.pixel::<A>(pixels.place, strip.places));
+        true
     }
 
     #[inline(always)]
@@ -141,64 +168,6 @@ impl<P: Paint> Shade<MOST_ATTRIBUTES, P::Stored> for Others<'_, P> {
     }
 }
 
-impl<const A: usize, P: Paint> ShadePixel<A, P::Stored> for Others<'_, P> {
-    #[inline(always)]
-    fn pixel(
-        &self,
-        place: [i32; 2],
-        depth: Depth,
-        values: &Values<A>,
-        behind: P::Stored,
-    ) -> Option<P::Stored> {
-        if let Through::Door(door) = self.through
-            && !door.shows(place)
-        {
-            return None;
-        }
-        let lookup = match self.way {
-            Way::Levels(shades) => Lookup::Levels(shades),
-            Way::Colours(colours) => Lookup::Colours(colours),
-            // Textures go by runs.
-            Way::Texels(_) => return None,
-        };
-        let Runs {
-            paint,
-            ids,
-            surface,
-            ..
-        } = &self.runs;
-        let pixel = Pixel {
-            lookup,
-            lit: surface.light_alone(values),
-            place,
-            texel: [0; 2],
-        };
-        if let Through::Blend(blend) = &self.through {
-            return Some(self.over(blend, pixel, depth, behind));
-        }
-        Some(paint.surface(&pixel, *ids))
-    }
-
-    #[inline(always)]
-    fn hides(&self) -> bool {
-        !matches!(self.through, Through::Blend(_))
-    }
-
-    #[inline(never)]
-    fn contrast(&self, corners: &[Values<A>; 3]) -> u32 {
-        let Runs {
-            corners: source,
-            surface,
-            ..
-        } = &self.runs;
-        if source.perspective {
-            surface.contrast(corners)
-        } else {
-            0
-        }
-    }
-}
-
 impl<P: Paint> Others<'_, P> {
     /// Draws a run of pixels.
     #[inline(never)]
@@ -222,13 +191,13 @@ impl<P: Paint> Others<'_, P> {
             Some(paint.surface(&pixel, ids))
         };
         match (self.sampler, self.way) {
-            (Some(sampler), Way::Texels(shades)) => self.runs.path(shades, sampler, run, Some),
+            (Some(sampler), Way::Texels(shades)) => self.runs.wrapped(shades, sampler, run, Some),
             (Some(sampler), Way::Colours(colours)) => {
-                let (path, count) = sampler.path(&run);
+                let (places, picture, count) = sampler.path(&run);
                 run.cut(count)
                     .draw::<MOST_ATTRIBUTES>(true, |number, values, _| {
-                        let at = path.places.at(number);
-                        let texel = sampler.colour(&path, at)?;
+                        let at = places.at(number);
+                        let texel = sampler.colour(&picture, at)?;
                         let lit = on_texel(surface.light(values, face), texel);
                         index(Lookup::Colours(colours), number, lit, at)
                     });
@@ -262,16 +231,16 @@ impl<P: Paint> Others<'_, P> {
         };
         let ([left, row], face) = (run.place, self.runs.face.get());
         let textured = self.sampler.map(|sampler| (sampler, sampler.path(&run)));
-        let count = textured.as_ref().map_or(pixels, |(_, (_, count))| *count);
+        let count = textured.as_ref().map_or(pixels, |(_, (.., count))| *count);
         let (z, dz) = run.depth;
         run.cut(count)
             .draw::<MOST_ATTRIBUTES>(false, |number, values, behind| {
                 let light = self.runs.surface.light(values, face);
                 let (lit, texel) = match &textured {
                     None => (sum(light.body, light.gloss), [0; 2]),
-                    Some((sampler, (path, _))) => {
-                        let at = path.places.at(number);
-                        (on_texel(light, sampler.colour(path, at)?), at)
+                    Some((sampler, (places, picture, _))) => {
+                        let at = places.at(number);
+                        (on_texel(light, sampler.colour(picture, at)?), at)
                     }
                 };
                 let pixel = Pixel {
@@ -288,14 +257,14 @@ impl<P: Paint> Others<'_, P> {
 
     /// A pixel, in the fog, over what is behind it.
     #[inline(always)]
-    fn over(
+    pub fn over(
         &self,
         blend: &Blend<'_>,
         mut pixel: Pixel<'_>,
         depth: Depth,
         behind: P::Stored,
     ) -> P::Stored {
-        if let Some(haze) = self.runs.corners.part.haze {
+        if let Some(haze) = self.runs.source.part.haze {
             let mut fog_row = self.fog_row.get();
             pixel.lit = haze.over(pixel.lit, depth, &mut fog_row);
             self.fog_row.set(fog_row);

@@ -7,12 +7,14 @@
 )]
 
 mod lookup;
+mod small_texture;
 mod strip;
 mod surface;
 mod texture;
 mod transparency;
 
 pub use lookup::{Lookup, Pixel, dithered};
-pub use surface::{Attributes, Lighting, Surface, on_texel};
+pub use small_texture::{SmallPicture, SmallTexture};
+pub use surface::{Attributes, Lighting, Surface, channel, on_texel};
 pub use texture::Sampler;
 pub use transparency::{Blend, ScreenDoor, blended};

@@ -1,9 +1,9 @@
 //! Runs of texels that need no wrapping pixel by pixel: the kernel for textures that
 //! are not blended.
 
-use super::texture::{Copied, PLACE_BITS, Places, Sampler};
+use super::texture::{Copied, PLACE_BITS, Places, Sampler, coordinates};
 use crate::math::Depth;
-use crate::raster::{RUN_FRACTION, Run};
+use crate::raster::{FINE, Fours, Placed, RUN_FRACTION, Run, Values};
 use crate::scene::{NO_TEXEL, Wrap};
 
 /// A run's way through one copy of a texture, in the same period at both ends.
@@ -11,10 +11,15 @@ use crate::scene::{NO_TEXEL, Wrap};
 pub struct Strip<'a> {
     copy: Copied<'a>,
     /// Of its pixels, mirrored where the texture is.
-    way: Places,
+    way: Fours<2>,
     /// Of its pixels.
-    pub places: Places,
+    pub places: Fours<2>,
+    /// The third attribute, if there is one.
+    light: Fours<1>,
 }
+
+/// Fractional bits of a light level.
+const LIGHT_FRACTION: u32 = RUN_FRACTION + FINE;
 
 /// How much a way may bend a pixel where texels are cut out: a line of four pixels is off
 /// by half of it, a 2048th of a texel.
@@ -27,44 +32,95 @@ impl<'a> Sampler<'a> {
     /// show one copy of the picture.
     #[inline(always)]
     pub fn strip<const A: usize>(&self, run: &Run<'_, A>) -> Option<(Strip<'a>, usize)> {
-        let places = self.places(run);
+        let places = self.places(&run.path);
         let bends = |bend: i32| bend.unsigned_abs() > MOST_BEND;
         if self.texture.cut_out && places.bend.into_iter().any(bends) {
             return None;
         }
         let (copy, count) = self.copy(run);
-        let mut way = places;
-        if self.texture.wrap != Wrap::Repeat {
-            way = self.within(&places, count)?;
-        }
+        let fours = places.in_fours();
+        let last = count.saturating_sub(1) as i32;
+        let light = Places {
+            from: third(run.path.from),
+            step: third(run.path.step),
+            bend: third(run.path.bend),
+        };
         let strip = Strip {
             copy: *copy,
-            way,
-            places,
+            way: self.within(fours, || [places.from, places.at(last)])?,
+            places: fours,
+            light: light.in_fours(),
         };
         Some((strip, count))
     }
 
-    /// Places as in the first period, if all are in one, and in the first if what is
+    /// The same of pixels that are all seen and show a copy of the picture.
+    #[inline(always)]
+    pub fn strip_of<const A: usize, C>(&self, pixels: &Placed<'_, A, C>) -> Option<Strip<'a>> {
+        let fours = self.places_in_fours(&pixels.fours);
+        let ends = || {
+            pixels
+                .ends
+                .each_ref()
+                .map(|values| self.place(coordinates(values)))
+        };
+        let Fours {
+            from,
+            step,
+            bend,
+            twist,
+        } = pixels.fours;
+        Some(Strip {
+            copy: *self.copied(pixels.alike),
+            way: self.within(fours, ends)?,
+            places: fours,
+            light: Fours {
+                from: third(from),
+                step: third(step),
+                bend: third(bend),
+                twist: third(twist),
+            },
+        })
+    }
+
+    /// Places as in the first period, if the ends are in one, and in the first if what is
     /// beyond it looks otherwise.
-    fn within(&self, places: &Places, pixels: usize) -> Option<Places> {
-        let end = places.at(pixels.saturating_sub(1) as i32);
-        let mut way = *places;
-        let each = way.from.iter_mut().zip(&mut way.step).zip(&mut way.bend);
-        let each = each.zip(end).zip(self.texture.size);
-        for ((((from, step), bend), end), size) in each {
+    #[inline(always)]
+    fn within(&self, fours: Fours<2>, ends: impl Fn() -> [[i32; 2]; 2]) -> Option<Fours<2>> {
+        if self.texture.wrap == Wrap::Repeat {
+            return Some(fours);
+        }
+        let [first, last] = ends();
+        let mut way = fours;
+        let each = way
+            .from
+            .iter_mut()
+            .zip(&mut way.step)
+            .zip(&mut way.bend)
+            .zip(&mut way.twist);
+        let each = each.zip(first).zip(last).zip(self.texture.size);
+        for ((((((from, step), bend), twist), first), last), size) in each {
             let period = |c: i32| c >> (PLACE_BITS + i32::from(size)).min(31);
-            let first = period(*from);
-            if first != period(end) || self.texture.wrap == Wrap::Clamp && first != 0 {
+            let first = period(first);
+            if first != period(last) || self.texture.wrap == Wrap::Clamp && first != 0 {
                 return None;
             }
             if first & 1 != 0 {
                 // Mirrored: downwards from the last texel.
-                (*from, *step, *bend) = (!*from, step.wrapping_neg(), bend.wrapping_neg());
+                *from = !*from;
+                for change in [step, bend, twist] {
+                    *change = change.wrapping_neg();
+                }
             }
         }
         Some(way)
     }
+}
+
+/// The third of some values, 0 if there is none.
+#[inline(always)]
+fn third<const A: usize>(values: Values<A>) -> [i32; 1] {
+    [values.get(2).copied().unwrap_or(0)]
 }
 
 /// From places in the picture to a number that has a texel's in its highest bits. Rows
@@ -94,21 +150,46 @@ impl Cut {
             down: (32 - w - h).min(31),
         }
     }
+
+    /// From a place, or a change of one, to numbers that a texel's is made of.
+    #[inline(always)]
+    fn both(&self, place: [i32; 2]) -> [u32; 2] {
+        self.times(place, self.times)
+    }
+
+    /// The same of what has [`FINE`] fractional bits more; there are as many more in those numbers,
+    /// as pictures are smaller than 2^14 texels.
+    #[inline(always)]
+    fn both_fine(&self, place: [i32; 2]) -> [u32; 2] {
+        self.times(place, self.times.map(|times| times >> FINE))
+    }
+
+    #[inline(always)]
+    fn times(&self, [x, y]: [i32; 2], [across, along]: [u32; 2]) -> [u32; 2] {
+        let x = (x as u32).wrapping_mul(across) >> (self.rows & 31);
+        [x, (y as u32).wrapping_mul(along)]
+    }
+
+    /// The number of the texel at a place.
+    #[inline(always)]
+    pub(super) fn texel(&self, place: [i32; 2]) -> usize {
+        let [x, y] = self.both(place);
+        (((x ^ y) & self.columns ^ y) >> (self.down & 31)) as usize
+    }
 }
 
 /// What the kernel steps.
 struct Cursor<'a> {
     texels: &'a [u8],
     at: [u32; 2],
-    /// The change a pixel among the first four, and how it changes to the next four.
+    /// As of [`Fours`].
     step: [u32; 2],
     bend: [u32; 2],
+    twist: [u32; 2],
     columns: u32,
     down: u32,
-    /// Depth, 16.16, and its change a pixel.
-    depth: (u32, i32),
-    /// The third attribute with its step and bend.
-    light: [i32; 3],
+    /// The third attribute with the same.
+    light: [i32; 4],
 }
 
 impl Strip<'_> {
@@ -117,38 +198,7 @@ impl Strip<'_> {
     /// there is one), rounded, and the base colour, and gives the index.
     #[inline(always)]
     pub fn draw<const A: usize>(&self, run: Run<'_, A>, shade: impl Fn(i32, i32, u8) -> u8) {
-        let Cut {
-            times: [across, along],
-            rows,
-            columns,
-            down,
-        } = self.copy.cut;
-        let both = |[x, y]: [i32; 2]| {
-            let x = (x as u32).wrapping_mul(across) >> (rows & 31);
-            [x, (y as u32).wrapping_mul(along)]
-        };
-        let [first, step, bend] = {
-            let Places { from, step, bend } = self.way.in_fours();
-            [from, step, bend].map(both)
-        };
-        let third = |values: [i32; A]| [values.get(2).copied().unwrap_or(0); 1];
-        let light = Places::<1> {
-            from: third(run.from),
-            step: third(run.step),
-            bend: third(run.bend),
-        }
-        .in_fours();
-        let ([from], [change], [turn]) = (light.from, light.step, light.bend);
-        let cursor = Cursor {
-            texels: self.copy.texels,
-            at: first,
-            step,
-            bend,
-            columns,
-            down,
-            depth: run.depth,
-            light: [from.wrapping_add(1 << (RUN_FRACTION - 1)), change, turn],
-        };
+        let cursor = self.cursor();
         let (indices, depths, seen) = (run.indices, run.depths, run.seen);
         let Some((placed, indices)) = indices.split_at_mut_checked(seen) else {
             return;
@@ -159,8 +209,49 @@ impl Strip<'_> {
         if let Some(depths) = depths.get_mut(seen..)
             && !indices.is_empty()
         {
+            let (z, dz) = run.depth;
+            let depth = (z.wrapping_add_signed(dz.wrapping_mul(seen as i32)), dz);
             let shade = |number, level, texel| shade(number + seen as i32, level, texel);
-            draw(indices, depths, &cursor.after(seen), shade);
+            draw(indices, depths, depth, &cursor.after(seen), shade);
+        }
+    }
+
+    /// Goes through pixels that are all seen and have their depths in place.
+    #[inline(always)]
+    pub fn draw_all(&self, indices: &mut [u8], shade: impl Fn(i32, i32, u8) -> u8) {
+        self.cursor().draw_all(indices, &shade);
+    }
+
+    #[inline(always)]
+    fn cursor(&self) -> Cursor<'_> {
+        let cut = self.copy.cut;
+        let Cut { columns, down, .. } = cut;
+        let Fours {
+            from,
+            step,
+            bend,
+            twist,
+        } = self.way;
+        let ([light], [change], [turn], [twist_of_light]) = (
+            self.light.from,
+            self.light.step,
+            self.light.bend,
+            self.light.twist,
+        );
+        Cursor {
+            texels: self.copy.texels,
+            at: cut.both(from),
+            step: cut.both_fine(step),
+            bend: cut.both_fine(bend),
+            twist: cut.both_fine(twist),
+            columns,
+            down,
+            light: [
+                (light << FINE).wrapping_add(1 << (LIGHT_FRACTION - 1)),
+                change,
+                turn,
+                twist_of_light,
+            ],
         }
     }
 }
@@ -176,10 +267,10 @@ impl Cursor<'_> {
     /// half of its numbers would find no register.
     #[inline(always)]
     fn draw_all(&self, indices: &mut [u8], shade: &impl Fn(i32, i32, u8) -> u8) {
-        let [light, change, turn] = self.light;
-        if change | turn == 0 {
+        let [light, change, turn, twist] = self.light;
+        if change | turn | twist == 0 {
             // As on flat sides.
-            let level = light >> RUN_FRACTION;
+            let level = light >> LIGHT_FRACTION;
             texels(self, indices, |number, _, texel| {
                 shade(number, level, texel)
             });
@@ -188,7 +279,7 @@ impl Cursor<'_> {
         }
     }
 
-    /// After some pixels: whole fours.
+    /// After some pixels of a parabola: whole fours.
     #[inline(always)]
     fn after(&self, pixels: usize) -> Self {
         let fours = (pixels / 4) as u32;
@@ -205,14 +296,12 @@ impl Cursor<'_> {
         };
         let ([x, y], [dx, dy], [bx, by]) = (self.at, self.step, self.bend);
         let ((x, dx), (y, dy)) = (along(x, dx, bx), along(y, dy, by));
-        let [light, change, turn] = self.light;
+        let [light, change, turn, twist] = self.light;
         let (light, change) = along(light as u32, change as u32, turn as u32);
-        let (z, dz) = self.depth;
         Self {
             at: [x, y],
             step: [dx, dy],
-            depth: (z.wrapping_add_signed(dz.wrapping_mul(pixels as i32)), dz),
-            light: [light as i32, change as i32, turn],
+            light: [light as i32, change as i32, turn, twist],
             ..*self
         }
     }
@@ -225,17 +314,21 @@ fn texels(cursor: &Cursor<'_>, indices: &mut [u8], shade: impl Fn(i32, i32, u8) 
         texels,
         at: [mut x, mut y],
         step: [mut dx, mut dy],
-        bend: [bx, by],
+        bend: [mut bx, mut by],
+        twist: [tx, ty],
         columns,
         down,
-        light: [mut light, mut change, turn],
-        ..
+        light: [mut light, mut change, mut turn, twist],
     } = *cursor;
+    // Whatever the shift leaves, it is below this: then there is no check, and no branch.
+    let Some(last) = texels.len().checked_sub(1) else {
+        return;
+    };
     let mut number = 0;
     let mut one = |pixel: &mut u8, [dx, dy]: [u32; 2], change: i32| {
         let texel = ((x ^ y) & columns ^ y) >> (down & 31);
-        if let Some(&texel) = texels.get(texel as usize) {
-            *pixel = shade(number, light >> RUN_FRACTION, texel);
+        if let Some(&texel) = texels.get(texel as usize & last) {
+            *pixel = shade(number, light >> LIGHT_FRACTION, texel);
         }
         (x, y) = (x.wrapping_add(dx), y.wrapping_add(dy));
         light = light.wrapping_add(change);
@@ -248,7 +341,9 @@ fn texels(cursor: &Cursor<'_>, indices: &mut [u8], shade: impl Fn(i32, i32, u8) 
         one(c, [dx, dy], change);
         one(d, [dx, dy], change);
         (dx, dy) = (dx.wrapping_add(bx), dy.wrapping_add(by));
+        (bx, by) = (bx.wrapping_add(tx), by.wrapping_add(ty));
         change = change.wrapping_add(turn);
+        turn = turn.wrapping_add(twist);
     }
     for pixel in rest {
         one(pixel, [dx, dy], change);
@@ -256,11 +351,12 @@ fn texels(cursor: &Cursor<'_>, indices: &mut [u8], shade: impl Fn(i32, i32, u8) 
     }
 }
 
-/// The kernel: its loop wants all registers. Pixels go by fours along straight lines.
+/// The kernel along a parabola: its loop wants all registers.
 #[inline(never)]
 fn draw(
     indices: &mut [u8],
     depths: &mut [Depth],
+    (mut z, dz): (u32, i32),
     cursor: &Cursor<'_>,
     shade: impl Fn(i32, i32, u8) -> u8,
 ) {
@@ -271,8 +367,8 @@ fn draw(
         bend: [bx, by],
         columns,
         down,
-        depth: (mut z, dz),
-        light: [mut light, mut change, turn],
+        light: [mut light, mut change, turn, _],
+        ..
     } = *cursor;
     let (fours, indices) = indices.as_chunks_mut::<4>();
     let (four_depths, depths) = depths.as_chunks_mut::<4>();
@@ -284,7 +380,7 @@ fn draw(
             if let Some(&texel) = texels.get(texel as usize)
                 && texel != NO_TEXEL
             {
-                *pixel = shade(number, light >> RUN_FRACTION, texel);
+                *pixel = shade(number, light >> LIGHT_FRACTION, texel);
                 *depth = here;
             }
         }

@@ -109,33 +109,41 @@ impl Surface<'_> {
         }
     }
 
-    /// The same where nothing comes before light's attributes: three of a colour, or nine of
-    /// what is lit at each pixel, whether or not it is tinted.
+    /// The same of attributes that are there whether or not they differ: three of a colour, or
+    /// nine of what is lit at each pixel; after texture coordinates six of a colour and its
+    /// highlight, or the nine.
     #[inline(always)]
-    pub fn light_alone<const N: usize>(&self, values: &[i32; N]) -> Lit {
+    pub fn light_of_all<const N: usize>(&self, values: &[i32; N]) -> Parts {
         match *values.as_slice() {
-            [a, b, c] => [a, b, c].map(channel),
-            [a, b, c, d, e, f, r, g, u] => {
-                let Parts { body, gloss } = self.lit([a, b, c], [d, e, f], [r, g, u]);
-                sum(body, gloss)
+            [a, b, c] => body([a, b, c].map(channel)),
+            [_, _, a, b, c, d, e, f] => Parts {
+                body: [a, b, c].map(channel),
+                gloss: [d, e, f].map(channel),
+            },
+            [a, b, c, d, e, f, r, g, u] | [_, _, a, b, c, d, e, f, r, g, u] => {
+                self.lit([a, b, c], [d, e, f], [r, g, u])
             }
-            _ => [0; 3],
+            _ => Parts::default(),
         }
     }
 
-    /// By how much it may differ between corners whose attributes are of light alone, in 1/64 of
-    /// a level, at most 255 of them, but for what normals do.
+    /// By how much it may differ between corners with such attributes, in 1/64 of a level, at
+    /// most 255 of them, but for what normals do.
     #[inline(always)]
     pub fn contrast<const N: usize>(&self, corners: &[[i32; N]; 3]) -> u32 {
-        let own = |range| most_difference(corners, range);
+        let first = self.attributes.before_light();
+        let own = |from, to| most_difference(corners, first + from..first + to);
         let differ = match (self.attributes.lighting, self.lights) {
             (Lighting::Face, _) => 0,
             (Lighting::Pixel, Some(lights)) => {
-                let [first, ..] = corners;
-                let place = |which: usize| first.get(which).map_or(0, |c: &i32| c >> RUN_FRACTION);
-                lights.contrast([3, 4, 5].map(place), own(3..6)) + own(6..9)
+                let [a, ..] = corners;
+                let place =
+                    |which: usize| a.get(first + which).map_or(0, |c: &i32| c >> RUN_FRACTION);
+                lights.contrast([3, 4, 5].map(place), own(3, 6)) + own(6, 9)
             }
-            _ => own(0..3),
+            // A colour, and its highlight if there is room for it.
+            _ if N > 6 => own(0, 3) + own(3, 6),
+            _ => own(0, 3),
         };
         differ.min(255 << 6)
     }
@@ -185,7 +193,7 @@ pub fn on_texel(light: Parts, texel: [u32; 3]) -> Lit {
 
 /// A channel, rounded; interpolation may leave its range by a rounding.
 #[inline(always)]
-fn channel(value: i32) -> u16 {
+pub fn channel(value: i32) -> u16 {
     const HALF: i32 = 1 << (RUN_FRACTION - 1);
     (value.saturating_add(HALF) >> RUN_FRACTION).clamp(0, 255 << 6) as u16
 }

@@ -1,7 +1,7 @@
 //! Texels.
 
 use super::strip::Cut;
-use crate::raster::{Footprint, RUN_FRACTION, Run};
+use crate::raster::{FINE, Footprint, Fours, Path, RUN_FRACTION, Run};
 use crate::scene::layout::BASES;
 use crate::scene::{Coordinates, NO_TEXEL, Scene, Texture, Wrap};
 
@@ -13,6 +13,10 @@ const FRACTION: i32 = RUN_FRACTION as i32;
 
 /// A texture has at most so many copies.
 const COPIES: usize = 11;
+
+/// The second copy is for pixels of no less than sqrt(2) texels, 16 fractional bits; the others for
+/// twice as many each.
+const LEAST_OF_SECOND: u32 = 92682;
 
 /// A texture on a mesh: from attributes to texels.
 #[derive(Clone, Copy, Debug)]
@@ -57,68 +61,45 @@ impl<const N: usize> Places<N> {
     #[inline(always)]
     pub fn at(&self, number: i32) -> [i32; N] {
         let before = (number * (number - 1)) >> 1;
-        self.along(number, before)
-    }
-
-    #[inline(always)]
-    fn along(&self, steps: i32, bends: i32) -> [i32; N] {
         let mut at = self.from;
         for (at, (step, bend)) in at.iter_mut().zip(self.step.iter().zip(self.bend)) {
             *at = at
-                .wrapping_add(step.wrapping_mul(steps))
-                .wrapping_add(bend.wrapping_mul(bends));
+                .wrapping_add(step.wrapping_mul(number))
+                .wrapping_add(bend.wrapping_mul(before));
         }
         at
     }
 
     /// The parabola as straight lines of four pixels each, which lie as much above it as
-    /// below: its step is that of the first four, its bend the change to the next four.
+    /// below.
     #[inline(always)]
-    pub(super) fn in_fours(mut self) -> Self {
-        let all = self.from.iter_mut().zip(&mut self.step).zip(&mut self.bend);
+    pub(super) fn in_fours(self) -> Fours<N> {
+        let mut fours = Fours {
+            from: self.from,
+            step: self.step,
+            bend: self.bend,
+            twist: [0; N],
+        };
+        let all = fours
+            .from
+            .iter_mut()
+            .zip(&mut fours.step)
+            .zip(&mut fours.bend);
         for ((from, step), bend) in all {
             *from = from.wrapping_sub(*bend).wrapping_sub(*bend >> 2);
-            *step = step.wrapping_add(*bend).wrapping_add(*bend >> 1);
-            *bend <<= 2;
+            *step = step.wrapping_add(*bend).wrapping_add(*bend >> 1) << FINE;
+            *bend <<= 2 + FINE;
         }
-        self
-    }
-
-    /// That of the `number`th pixel along lines of `in_fours`.
-    #[inline(always)]
-    pub fn at_in_fours(&self, number: i32) -> [i32; N] {
-        let before = number >> 2;
-        let bends = 2 * before * (before - 1) + before * (number & 3);
-        self.in_fours().along(number, bends)
+        fours
     }
 }
 
-/// How far it is from pixel to pixel, or from row to row.
-struct Steps {
-    /// At the first pixel.
-    at: [i32; 2],
-    /// The change a pixel.
-    step: [i32; 2],
-}
-
-impl Steps {
-    /// The larger one at a pixel.
-    #[inline(always)]
-    fn most(&self, pixel: i32) -> u32 {
-        let ([a, b], [da, db]) = (self.at, self.step);
-        let at = |at: i32, step: i32| at.wrapping_add(step.wrapping_mul(pixel)).unsigned_abs();
-        at(a, da).max(at(b, db))
-    }
-}
-
-/// A run's way through one copy of a texture.
+/// One copy of a texture.
 #[derive(Clone, Copy, Debug)]
-pub struct Path<'a> {
-    copy: Copied<'a>,
-    /// From the picture's places to the copy's: right shifts.
+pub struct Picture<'a> {
+    pub(super) copy: Copied<'a>,
+    /// From the largest copy's places to its own: right shifts.
     down: [i32; 2],
-    /// Of its pixels.
-    pub places: Places,
 }
 
 impl<'a> Sampler<'a> {
@@ -157,26 +138,73 @@ impl<'a> Sampler<'a> {
         }
     }
 
-    /// The way of a run, whose first two attributes are texture coordinates, and how many
-    /// of its pixels show one copy of the picture.
-    pub fn path<const A: usize, C>(&self, run: &Run<'_, A, C>) -> (Path<'a>, usize) {
-        let places = self.places(run);
+    /// The way of a run, whose first two attributes are texture coordinates; and a copy of the
+    /// texture, with how many of its pixels show it.
+    pub fn path<const A: usize, C>(&self, run: &Run<'_, A, C>) -> (Places, Picture<'a>, usize) {
+        let places = self.places(&run.path);
         let (copy, count) = self.copy(run);
-        let ([w, h], [cw, ch]) = (self.texture.size, copy.size);
-        let path = Path {
-            copy: *copy,
-            down: [i32::from(w) - cw as i32, i32::from(h) - ch as i32].map(|d| d & 31),
-            places,
-        };
-        (path, count)
+        (places, self.picture(copy), count)
     }
 
-    /// The places of a run's pixels.
+    fn picture(&self, copy: &Copied<'a>) -> Picture<'a> {
+        let ([w, h], [cw, ch]) = (self.texture.size, copy.size);
+        Picture {
+            copy: *copy,
+            down: [i32::from(w) - cw as i32, i32::from(h) - ch as i32].map(|d| d & 31),
+        }
+    }
+
+    /// Whether corners' attributes are places less than so many texels from the first one's.
+    /// Attributes do not wrap, as places do.
+    pub(super) fn are_near(&self, corners: &[[i32; 2]; 3], texels: u32) -> bool {
+        let [first, others @ ..] = corners;
+        others.iter().all(|corner| {
+            let axes = corner.iter().zip(first).zip(self.shifts);
+            axes.into_iter()
+                .all(|((c, first), shift)| c.abs_diff(*first) < texels << PLACE_BITS >> shift)
+        })
+    }
+
+    /// The copy of some number.
+    pub(super) fn numbered(&self, number: usize) -> Picture<'a> {
+        self.picture(self.copied(number))
+    }
+
+    /// The places of pixels whose first two attributes are texture coordinates.
     #[inline(always)]
-    pub(super) fn places<const A: usize, C>(&self, run: &Run<'_, A, C>) -> Places {
-        let [from, step, bend] = [run.from, run.step, run.bend].map(coordinates);
+    pub(super) fn places<const A: usize>(&self, path: &Path<A>) -> Places {
+        let [from, step, bend] =
+            [&path.from, &path.step, &path.bend].map(|values| coordinates(values));
+        Places {
+            from: self.place(from),
+            step: self.scaled(step),
+            bend: self.scaled(bend),
+        }
+    }
+
+    /// The same of lines of four pixels.
+    #[inline(always)]
+    pub(super) fn places_in_fours<const A: usize>(&self, fours: &Fours<A>) -> Fours<2> {
+        let Fours {
+            from,
+            step,
+            bend,
+            twist,
+        } = fours;
+        let [from, step, bend, twist] = [from, step, bend, twist].map(|values| coordinates(values));
+        Fours {
+            from: self.place(from),
+            step: self.scaled(step),
+            bend: self.scaled(bend),
+            twist: self.scaled(twist),
+        }
+    }
+
+    /// The place of attributes.
+    #[inline(always)]
+    pub(super) fn place(&self, from: [i32; 2]) -> [i32; 2] {
         let [x, y] = self.origin;
-        let first = match self.texture.wrap {
+        match self.texture.wrap {
             // What repeats may wrap: its period divides 2^32.
             Wrap::Repeat | Wrap::Mirror => {
                 let [u, v] = self.scaled(from);
@@ -187,18 +215,13 @@ impl<'a> Sampler<'a> {
                 [(u << across) + x, (v << down) + y]
                     .map(|place| place.clamp(-(1 << 30), 1 << 30) as i32)
             }
-        };
-        Places {
-            from: first,
-            step: self.scaled(step),
-            bend: self.scaled(bend),
         }
     }
 
-    /// The path and the place in it of one point, whose texture coordinates are the
-    /// mesh's with 8 fractional bits: in the largest copy.
+    /// The largest copy and the place in it of one point, whose texture coordinates are the
+    /// mesh's with 8 fractional bits.
     #[cfg(feature = "ray")]
-    pub fn point(&self, coordinates: [i32; 2]) -> (Path<'a>, [i32; 2]) {
+    pub fn point(&self, coordinates: [i32; 2]) -> (Picture<'a>, [i32; 2]) {
         let (down, up) = (self.coordinates, self.shifts);
         let place = |c: i32, down: i32, up: u32, origin: i64| {
             let shift = down + up as i32 - 8;
@@ -218,17 +241,8 @@ impl<'a> Sampler<'a> {
         let ([u_down, v_down], [u_up, v_up]) = (down, up);
         let from = [place(u, u_down, u_up, x), place(v, v_down, v_up, y)];
         let [copy, ..] = self.copies;
-        let places = Places {
-            from,
-            step: [0; 2],
-            bend: [0; 2],
-        };
-        let path = Path {
-            copy,
-            down: [0; 2],
-            places,
-        };
-        (path, from)
+        let picture = Picture { copy, down: [0; 2] };
+        (picture, from)
     }
 
     /// Attributes or their changes as places, modulo 2^32.
@@ -252,39 +266,83 @@ impl<'a> Sampler<'a> {
     }
 
     /// The copy whose texels are nearest to the first pixel's size, and how many pixels
-    /// of the run show it: number `floor(log2(r) + 1/2)`, with r the most texels that a
-    /// pixel goes along one axis of picture and screen.
+    /// of the run show it.
     #[inline(always)]
     pub(super) fn copy<const A: usize, C>(&self, run: &Run<'_, A, C>) -> (&Copied<'a>, usize) {
-        let pixels = run.indices.len();
-        let [first, ..] = &self.copies;
+        let (number, count) = self.alike(&run.footprint, &run.footprint_step, run.indices.len());
+        (self.copied(number), count)
+    }
+
+    /// The number of the copy whose texels are nearest to the first pixel's size, from its
+    /// footprint and its change a pixel, and how many pixels show it: `floor(log2(r) + 1/2)`, with
+    /// r the most texels that a pixel goes along one axis of picture and screen.
+    #[inline(always)]
+    pub fn alike(&self, footprint: &Footprint, step: &Footprint, pixels: usize) -> (usize, usize) {
         if self.texture.copies <= 1 {
-            return (first, pixels);
+            return (0, pixels);
         }
-        let steps = |along: fn(&Footprint) -> [i32; 2]| Steps {
-            at: self.scaled(along(&run.footprint)),
-            step: self.scaled(along(&run.footprint_step)),
+        self.nearest_copy(footprint, step, pixels)
+    }
+
+    #[inline(never)]
+    fn nearest_copy(&self, from: &Footprint, step: &Footprint, pixels: usize) -> (usize, usize) {
+        let all = |footprint: &Footprint| {
+            let ([a, b], [c, d]) = (self.scaled(footprint.across), self.scaled(footprint.down));
+            [a, b, c, d]
         };
-        let (across, down) = (steps(|f| f.across), steps(|f| f.down));
-        let number = |pixel: i32| self.number(across.most(pixel).max(down.most(pixel)));
-        let here = number(0);
-        let copy = self.copies.get(here).unwrap_or(first);
-        let last = pixels.saturating_sub(1) as i32;
-        if number(last) == here {
-            return (copy, pixels);
+        let (mut from, step) = (all(from), all(step));
+        let here = self.number(from.iter().fold(0, |most, c| c.unsigned_abs().max(most)));
+        let after = |copy: usize| LEAST_OF_SECOND << copy.min(COPIES);
+        let least_here = if here == 0 { 0 } else { after(here - 1) };
+        let most_here = if here + 1 < usize::from(self.texture.copies) {
+            after(here) - 1
+        } else {
+            u32::MAX
+        };
+        // Some pixels on, if all before are alike: they are no more than the most at both ends, and
+        // no less than the least of what has one sign.
+        let on = |from: &[i32; 4], pixels: i32| {
+            let (mut most, mut least, mut to) = (0, 0, *from);
+            for (to, step) in to.iter_mut().zip(step) {
+                let from = *to;
+                *to = from.wrapping_add(step.wrapping_mul(pixels));
+                let (one, other) = (from.unsigned_abs(), to.unsigned_abs());
+                most = one.max(other).max(most);
+                if from ^ *to >= 0 {
+                    least = one.min(other).max(least);
+                }
+            }
+            (least >= least_here && most <= most_here).then_some(to)
+        };
+        let mut more = pixels.saturating_sub(1) as i32;
+        if on(&from, more).is_some() {
+            return (here, pixels);
         }
-        let other = (1..last).find(|pixel| number(*pixel) != here);
-        (copy, other.unwrap_or(last) as usize)
+        // What is left is less than the next power of two.
+        let mut good = 1;
+        while more > 1 {
+            more = (more + 1) >> 1;
+            if let Some(to) = on(&from, more) {
+                from = to;
+                good += more;
+            }
+        }
+        (here, pixels.min(good as usize))
+    }
+
+    /// One of the copies.
+    #[inline(always)]
+    pub(super) fn copied(&self, number: usize) -> &Copied<'a> {
+        let [first, ..] = &self.copies;
+        self.copies.get(number).unwrap_or(first)
     }
 
     /// The number of the copy for a pixel of `most` texels, 16 fractional bits.
     #[inline(always)]
-    fn number(&self, most: u32) -> usize {
-        // sqrt(2) texels.
-        const LEAST: u32 = 92682;
+    pub(super) fn number(&self, most: u32) -> usize {
         let last = u32::from(self.texture.copies).saturating_sub(1);
         let mut copy = 0;
-        while copy < last && (most >> copy.min(31)) >= LEAST {
+        while copy < last && (most >> copy.min(31)) >= LEAST_OF_SECOND {
             copy += 1;
         }
         copy as usize
@@ -292,20 +350,23 @@ impl<'a> Sampler<'a> {
 
     /// The base colour at a place of the picture; `None` where nothing is seen.
     #[inline(always)]
-    pub fn nearest(&self, path: &Path<'_>, [x, y]: [i32; 2]) -> Option<u8> {
-        let [across, down] = path.down;
-        let texel = self.texel(path, [x >> across >> PLACE_BITS, y >> down >> PLACE_BITS]);
+    pub fn nearest(&self, picture: &Picture<'_>, [x, y]: [i32; 2]) -> Option<u8> {
+        let [across, down] = picture.down;
+        let texel = self.texel(
+            picture,
+            [x >> across >> PLACE_BITS, y >> down >> PLACE_BITS],
+        );
         (texel != NO_TEXEL).then_some(texel)
     }
 
     /// The colour at a place of the picture, 0..=255 each; `None` where nothing is seen.
-    pub fn colour(&self, path: &Path<'_>, place: [i32; 2]) -> Option<[u32; 3]> {
-        let nearest = self.nearest(path, place)?;
+    pub fn colour(&self, picture: &Picture<'_>, place: [i32; 2]) -> Option<[u32; 3]> {
+        let nearest = self.nearest(picture, place)?;
         if !self.texture.bilinear {
             return Some(self.base(nearest));
         }
         // From the centres of the texels around it.
-        let ([x, y], [across, down]) = (place, path.down);
+        let ([x, y], [across, down]) = (place, picture.down);
         let [x, y] = [x >> across, y >> down].map(|c| c.wrapping_sub(1 << (PLACE_BITS - 1)));
         let (i, j) = (x >> PLACE_BITS, y >> PLACE_BITS);
         let [wx, wy] = [x, y].map(|c| ((c >> (PLACE_BITS - BLEND_BITS)) & BLEND_MASK) as u32);
@@ -314,7 +375,7 @@ impl<'a> Sampler<'a> {
         for (di, dj) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
             let along = |d: i32, w: u32| if d == 0 { (1 << BLEND_BITS) - w } else { w };
             let weight = along(di, wx) * along(dj, wy);
-            let texel = self.texel(path, [i.wrapping_add(di), j.wrapping_add(dj)]);
+            let texel = self.texel(picture, [i.wrapping_add(di), j.wrapping_add(dj)]);
             if texel != NO_TEXEL {
                 whole += weight;
                 for (sum, c) in blend.iter_mut().zip(self.base(texel)) {
@@ -340,11 +401,11 @@ impl<'a> Sampler<'a> {
 
     /// The texel of a column and a row, wrapped.
     #[inline(always)]
-    fn texel(&self, path: &Path<'_>, [i, j]: [i32; 2]) -> u8 {
-        let [w, h] = path.copy.size;
+    fn texel(&self, picture: &Picture<'_>, [i, j]: [i32; 2]) -> u8 {
+        let [w, h] = picture.copy.size;
         let (x, y) = (self.wrapped(i, w), self.wrapped(j, h));
         let at = (y << w | x) as usize;
-        path.copy.texels.get(at).copied().unwrap_or(NO_TEXEL)
+        picture.copy.texels.get(at).copied().unwrap_or(NO_TEXEL)
     }
 
     #[inline(always)]
@@ -372,6 +433,6 @@ const BLEND_MASK: i32 = (1 << BLEND_BITS) - 1;
 
 /// The first two of some values.
 #[inline(always)]
-fn coordinates<const A: usize>(values: [i32; A]) -> [i32; 2] {
+pub(super) fn coordinates(values: &[i32]) -> [i32; 2] {
     [0, 1].map(|which| values.get(which).copied().unwrap_or(0))
 }

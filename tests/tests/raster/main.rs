@@ -8,8 +8,10 @@ mod steep;
 mod surface;
 mod tiling;
 
+use proptest::prelude::*;
+
 use fixel::frame::Band;
-use fixel::math::{FineDepth, FineLevel, SUBPX_BITS, SubPx};
+use fixel::math::{FineDepth, FineLevel, HALF_PX, SUBPX_BITS, SubPx};
 use fixel::raster::{Fill, Sides, draw_triangle};
 use fixel::vertex::{Rest, ScreenVertex};
 
@@ -33,6 +35,40 @@ fn raw(x: i32, y: i32, z: u32, level: u16) -> ScreenVertex {
 fn at(x: f64, y: f64) -> ScreenVertex {
     let one = f64::from(1 << SUBPX_BITS);
     raw((x * one) as i32, (y * one) as i32, 32768 << 4, 0)
+}
+
+/// Most columns and rows of what is drawn by weights.
+const TINY: i32 = 4 << SUBPX_BITS;
+
+/// Corners within four pixels of each other, on a screen of so many pixels.
+fn tiny((width, height): (i32, i32)) -> impl Strategy<Value = [(i32, i32); 3]> {
+    let first = (0..width << SUBPX_BITS, 0..height << SUBPX_BITS);
+    // On centres now and then.
+    let off = prop_oneof![3 => 0..TINY, 1 => (0..8).prop_map(|halves| halves << (SUBPX_BITS - 1))];
+    let all = prop::array::uniform3((off.clone(), off));
+    (first, any::<bool>(), all).prop_map(|((x, y), even, all)| {
+        let whole = |c: i32| if even { c & !(HALF_PX - 1) } else { c };
+        all.map(|(dx, dy)| (whole(x) + dx, whole(y) + dy))
+    })
+}
+
+/// Any depths, or such as lie close together.
+fn depths() -> impl Strategy<Value = [u16; 3]> {
+    let near = (any::<u16>(), prop::array::uniform3(0..2_100u16));
+    prop_oneof![
+        any::<[u16; 3]>(),
+        near.prop_map(|(least, more)| more.map(|more| least.saturating_add(more))),
+    ]
+}
+
+/// Whether they may be drawn by weights.
+fn is_tiny(vertices: &[ScreenVertex; 3]) -> bool {
+    [ScreenVertex::x, ScreenVertex::y].iter().all(|axis| {
+        let places = vertices.each_ref().map(|v| axis(v).to_bits());
+        let (least, most) = (places.iter().min(), places.iter().max());
+        most.zip(least)
+            .is_some_and(|(most, least)| most - least < TINY)
+    })
 }
 
 /// Depths and indices of one triangle on a cleared screen, drawn in bands of

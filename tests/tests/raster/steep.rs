@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 
-use super::{BOTH, levels};
+use super::{BOTH, is_tiny, levels};
 use fixel::frame::Band;
 use fixel::math::{FineDepth, FineLevel};
 use fixel::raster::{Fill, draw_triangle};
@@ -126,7 +126,7 @@ fn triangle() -> impl Strategy<Value = [(i32, i32); 3]> {
         let mix = |a: i32, b: i32| (i64::from(a) + (i64::from(b) - i64::from(a)) * t / 1000) as i32;
         [a, b, (mix(a.0, b.0) + off, mix(a.1, b.1))]
     });
-    prop_oneof![any, thin]
+    prop_oneof![any, thin, super::tiny((SIZE.0.into(), SIZE.1.into()))]
 }
 
 /// Depths of which many stand at an end of the range, as after clipping.
@@ -151,9 +151,10 @@ proptest! {
         let z = raw.map(|z| f64::from(z) / 16.0);
         let (low, high) = range(z);
         let [right, down] = exact.slope(z).map(f64::abs);
-        // A position is off by half a sub-pixel; from 1024 units a pixel on, by a
-        // 16th of one.
-        let off = if right.max(down) < 1030.0 { 8192.0 } else { 65536.0 };
+        // A position is off by half a sub-pixel; from 1024 units a pixel on (of what is a
+        // pixel or two, 2048), by a 16th of one.
+        let fine = if is_tiny(&vertices) { 2060.0 } else { 1030.0 };
+        let off = if right.max(down) < fine { 8192.0 } else { 65536.0 };
         let (depths, _) = draw(&vertices, perspective);
         for (i, x, y) in pixels(&depths) {
             let weights = exact.weights(x, y);

@@ -8,47 +8,108 @@ use proptest::prelude::*;
 use super::{BOTH, raw};
 use fixel::frame::Band;
 use fixel::math::SUBPX_BITS;
-use fixel::raster::{Corner, MOST_ATTRIBUTES, RUN_FRACTION, Run, Shade, SurfaceKind, draw_surface};
+use fixel::raster::{
+    Corner, FINE, Footprint, MOST_ATTRIBUTES, Placed, RUN_FRACTION, Run, Shade, SurfaceKind,
+    draw_surface,
+};
 use fixel::vertex::ScreenVertex;
 
-const SIZE: (u16, u16) = (120, 60);
+/// Wider than the longest run.
+const SIZE: (u16, u16) = (240, 60);
 const COUNT: usize = 3;
 
-/// A pixel and the attributes that its run has there, with the run's reach of each.
+/// A pixel and the attributes that its run has there.
 struct Seen {
     place: [i32; 2],
     values: [f64; COUNT],
-    reach: [f64; COUNT],
+    /// What the run's curve may be off by.
+    off: [f64; COUNT],
+    /// Whether it is a run by itself.
+    alone: bool,
 }
 
-/// Draws at most so many pixels of a run.
-struct Seeing(RefCell<Vec<Seen>>, usize);
+/// Sees all pixels.
+struct Seeing {
+    seen: RefCell<Vec<Seen>>,
+    /// Draws at most so many pixels of a run.
+    most: usize,
+    solid: bool,
+    /// How many pixels are in common at most, if they are drawn whole.
+    alike: Option<usize>,
+}
+
+const ONE: f64 = (1 << RUN_FRACTION) as f64;
 
 impl Shade<MOST_ATTRIBUTES> for Seeing {
     fn run(&self, run: Run<'_, MOST_ATTRIBUTES>) -> usize {
-        let one = f64::from(1 << RUN_FRACTION);
         let length = run.indices.len();
         let [column, row] = run.place;
-        let drawn = length.min(self.1);
+        let drawn = length.min(self.most);
         for number in 0..drawn {
+            let path = run.path;
             let all: [[f64; 3]; COUNT] = std::array::from_fn(|i| {
-                [run.from[i], run.step[i], run.bend[i]].map(|v| f64::from(v) / one)
+                [path.from[i], path.step[i], path.bend[i]].map(|v| f64::from(v) / ONE)
             });
             let t = number as f64;
-            self.0.borrow_mut().push(Seen {
+            self.seen.borrow_mut().push(Seen {
                 place: [column + number as i32, row],
                 values: all.map(|[from, step, bend]| from + step * t + bend * t * (t - 1.0) / 2.0),
-                reach: all.map(|[_, step, _]| step.abs() * length as f64),
+                // The bound of the parabola between a run's ends.
+                off: all.map(|[_, step, _]| step.abs() * length as f64 / 150.0),
+                alone: length == 1,
             });
         }
         drawn
     }
+
+    fn solid(&self) -> bool {
+        self.solid
+    }
+
+    fn alike(&self, _: &Footprint, _: &Footprint, pixels: usize) -> (usize, usize) {
+        (7, self.alike.map_or(pixels, |most| pixels.min(most)))
+    }
+
+    fn placed(&self, pixels: Placed<'_, MOST_ATTRIBUTES>) -> bool {
+        if self.alike.is_none() {
+            return false;
+        }
+        assert_eq!(pixels.alike, 7);
+        let length = pixels.indices.len() as i32;
+        let [column, row] = pixels.place;
+        let [from, to] = pixels.ends;
+        for number in 0..length {
+            let at = pixels.fours.at(number);
+            self.seen.borrow_mut().push(Seen {
+                place: [column + number, row],
+                values: std::array::from_fn(|i| f64::from(at[i]) / ONE),
+                off: std::array::from_fn(|i| {
+                    let change = (f64::from(to[i]) - f64::from(from[i])) / ONE;
+                    let fine = f64::from(1 << FINE) * ONE;
+                    let bend = f64::from(pixels.fours.bend[i]) / fine;
+                    let last =
+                        bend + f64::from(pixels.fours.twist[i]) / fine * f64::from(length / 4);
+                    // The bound of the cubic, and a line's of four pixels: of what is shorter
+                    // nearness changes by less than 3/16, a line is off by a quarter of that.
+                    let line = if length <= 4 {
+                        change.abs() * 3.0 / 64.0
+                    } else {
+                        0.0
+                    };
+                    change.abs() / 2500.0 + bend.abs().max(last.abs()) / 2.0 + line
+                }),
+                alone: false,
+            });
+        }
+        true
+    }
 }
 
+/// What is seen, run by run or as far as `alike` says, with at most so many pixels of a run.
 fn drawn(
     vertices: &[ScreenVertex; 3],
     corners: [Corner<MOST_ATTRIBUTES>; 3],
-    most: usize,
+    (most, alike): (usize, Option<usize>),
 ) -> Vec<Seen> {
     let pixels = usize::from(SIZE.0) * usize::from(SIZE.1);
     let (mut index, mut depth) = (vec![0; pixels], vec![0; pixels]);
@@ -57,19 +118,24 @@ fn drawn(
     target.clear(|_| 0);
     let kind = SurfaceKind {
         attributes: COUNT,
-        footprint: false,
+        footprint: alike.is_some(),
         outlined: false,
     };
-    let seen = Seeing(RefCell::new(Vec::new()), most);
+    let seeing = Seeing {
+        seen: RefCell::new(Vec::new()),
+        most,
+        solid: alike.is_some(),
+        alike,
+    };
     draw_surface(
         &mut target,
         vertices.each_ref(),
         BOTH,
         kind,
         &mut || corners,
-        &seen,
+        &seeing,
     );
-    seen.0.into_inner()
+    seeing.seen.into_inner()
 }
 
 /// How much longer than high: the square of the longest side over the doubled area.
@@ -97,9 +163,10 @@ pub(super) fn weights(vertices: &[ScreenVertex; 3], [x, y]: [i32; 2]) -> (f64, [
     (area.abs(), [1.0 - b - c, b, c])
 }
 
-pub(super) fn corner() -> impl Strategy<Value = (i32, i32)> {
+/// A place in and around a picture that is so wide.
+pub(super) fn corner(width: u16) -> impl Strategy<Value = (i32, i32)> {
     let one = 1 << SUBPX_BITS;
-    let x = prop_oneof![3 => -one..121 * one, 1 => -1900 * one..1900 * one];
+    let x = prop_oneof![3 => -one..(i32::from(width) + 1) * one, 1 => -1900 * one..1900 * one];
     let y = prop_oneof![3 => -one..61 * one, 1 => -1900 * one..1900 * one];
     (x, y)
 }
@@ -118,10 +185,11 @@ proptest! {
 
     #[test]
     fn attributes_are_right_at_every_pixel(
-        places in prop::array::uniform3(corner()),
+        places in prop::array::uniform3(corner(SIZE.0)),
         distances in distances(),
         values in prop::array::uniform3(prop::array::uniform3(-(1 << 15)..=1 << 15)),
         most in prop_oneof![Just(usize::MAX), 1..9_usize],
+        alike in prop::option::of(prop_oneof![Just(usize::MAX), 1..240_usize]),
     ) {
         let vertices = places.map(|(x, y)| raw(x, y, 30_000 << 4, 0));
         let corner = |i: usize| {
@@ -132,9 +200,9 @@ proptest! {
         let corners = [corner(0), corner(1), corner(2)];
         let slender = slenderness(&vertices);
         let nearest = f64::from(*distances.iter().min().expect("three"));
-        let all = drawn(&vertices, corners, most);
+        let all = drawn(&vertices, corners, (most, alike));
         let places = |all: &[Seen]| all.iter().map(|seen| seen.place).collect::<Vec<_>>();
-        prop_assert_eq!(places(&all), places(&drawn(&vertices, corners, usize::MAX)));
+        prop_assert_eq!(places(&all), places(&drawn(&vertices, corners, (usize::MAX, None))));
         for seen in all {
             let (area, weights) = weights(&vertices, seen.place);
             let near: [f64; 3] = std::array::from_fn(|i| weights[i] / f64::from(distances[i]));
@@ -148,20 +216,22 @@ proptest! {
             let far = 1.0 / (whole * nearest);
             for (i, value) in seen.values.into_iter().enumerate() {
                 let exact = (0..3).map(|k| near[k] * f64::from(values[k][i])).sum::<f64>() / whole;
-                // An eighth of a unit; the bound of the parabola between a run's ends;
-                // gradients, of the attribute and of nearness, are good to 2^-28 of what
+                // An eighth of a unit; the bound of the curve between a run's ends; gradients, of the attribute and of nearness, are good to 2^-28 of what
                 // they are multiplied with.
                 let gradient = 2.0 * slender * far * 5e-4;
                 // Pixels that are worked out by themselves have weights of 20 bits.
                 let spread = |k: usize| (f64::from(values[k][i]) - f64::from(values[0][i])).abs();
-                let weights = if seen.reach[i] == 0.0 {
+                let weights = if seen.alone {
                     (spread(1) + spread(2)) * far * f64::exp2(-20.0)
                 } else {
                     0.0
                 };
-                let allowed = 0.125 + seen.reach[i] / 150.0 + far * far * 2e-4 + gradient + weights;
+                let allowed = 0.125 + seen.off[i] + far * far * 2e-4 + gradient + weights;
+                // Along cubics they are modulo 2^16, as attributes have RUN_FRACTION.
+                let off = (value - exact).abs();
+                let off = off.min((off - 65536.0).abs());
                 prop_assert!(
-                    (value - exact).abs() <= allowed,
+                    off <= allowed,
                     "{value} instead of {exact}, {allowed} allowed, at {:?}", seen.place
                 );
             }

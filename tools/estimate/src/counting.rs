@@ -185,6 +185,12 @@ impl Counter {
     }
 
     fn plain(&mut self, seen: &Seen, small: Term) {
+        if seen.tiny {
+            self.add(Term::Tiny, 1.0);
+            self.add(Term::TinyBoxPx, seen.boxed);
+            self.add(Term::TinyPx, seen.px);
+            return;
+        }
         let terms = match (seen.small, small) {
             (true, Term::SmallFlat) => [
                 Term::SmallFlat,

@@ -47,6 +47,8 @@ pub(crate) struct Surface {
     pub coloured: bool,
     pub dithered: bool,
     pub blended: bool,
+    /// Whether fog lies before it, if it is blended.
+    pub fogged: bool,
     pub door: bool,
 }
 
@@ -134,6 +136,7 @@ impl Kernel {
                 coloured: material.coloured,
                 dithered: material.coloured && scene.dither().pattern != DitherPattern::None,
                 blended,
+                fogged: scene.fog().is_some(),
                 door,
             })
         };

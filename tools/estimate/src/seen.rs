@@ -8,10 +8,17 @@ use crate::span;
 
 /// Most columns and rows of what is drawn as a small triangle.
 const SMALL_PX: f64 = 16.0;
+/// The same of a tiny one.
+const TINY_PX: f64 = 4.0;
 
 /// What of a triangle is in a target.
 pub(crate) struct Seen {
     pub small: bool,
+    pub tiny: bool,
+    /// Columns from its leftmost to its rightmost vertex.
+    pub width: f64,
+    /// Pixels in the box around it.
+    pub boxed: f64,
     /// Rows between its top and its bottom.
     pub rows: f64,
     pub px: f64,
@@ -49,11 +56,13 @@ impl Front {
         let places = corners.map(span::place);
         let (left, right) = span::ends(places.map(|[x, _]| x));
         let (top, bottom) = span::ends(places.map(|[_, y]| y));
-        let small = (right - left).max(bottom - top) < SMALL_PX
-            && left >= 0.0
-            && right < f64::from(target.width);
+        let size = (right - left).max(bottom - top);
+        let inside = left >= 0.0 && right < f64::from(target.width);
         let mut seen = Seen {
-            small,
+            small: inside && size < SMALL_PX,
+            tiny: inside && size < TINY_PX,
+            width: right - left,
+            boxed: 0.0,
             rows: 0.0,
             px: 0.0,
             in_front: 0.0,
@@ -62,6 +71,7 @@ impl Front {
         let stride = usize::from(target.stride);
         for row in span::rows(places, target.top..target.end) {
             seen.rows += 1.0;
+            seen.boxed += f64::from(span::first_centre(right) - span::first_centre(left));
             let columns = span::columns(places, row, target.width);
             if columns.is_empty() {
                 continue;

@@ -43,6 +43,9 @@ pub(crate) fn first_centre(place: f64) -> i32 {
 
 /// Pixels of a surface's longest run.
 pub(crate) const LONGEST_RUN_PX: f64 = 64.0;
+/// The same of texels of which nothing is cut out, and their shortest.
+pub(crate) const LONGEST_TEXELS_PX: f64 = 128.0;
+const SHORTEST_TEXELS_PX: f64 = 8.0;
 
 /// How long the runs of a triangle are, as `fixel::raster` has them: by how nearness changes
 /// along rows.
@@ -52,11 +55,22 @@ pub(crate) struct RunPx {
     nearness: f64,
     /// Its change a column and a row.
     change: [f64; 2],
-    cut_out: bool,
+    kind: RunKind,
+}
+
+/// What the length of runs goes by.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum RunKind {
+    /// Along parabolas.
+    Any,
+    /// Along parabolas that show at outlines.
+    CutOut,
+    /// Along cubics.
+    Texels,
 }
 
 impl RunPx {
-    pub(crate) fn new(corners: [&ScreenVertex; 3], cut_out: bool) -> Self {
+    pub(crate) fn new(corners: [&ScreenVertex; 3], kind: RunKind) -> Self {
         let [a, b, c] = corners.map(place);
         let [za, zb, zc] = corners.map(|corner| f64::from(corner.z().to_bits()));
         let ([bx, by], [cx, cy]) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
@@ -67,7 +81,7 @@ impl RunPx {
             corner: a,
             nearness: za,
             change: [along, down],
-            cut_out,
+            kind,
         }
     }
 
@@ -76,10 +90,18 @@ impl RunPx {
         let ([ax, ay], [along, down]) = (self.corner, self.change);
         let nearness = self.nearness + along * (x - ax) + down * (y - ay);
         let fits = |px: f64, part: f64| along.abs() * px <= nearness * part;
-        if !self.cut_out && fits(LONGEST_RUN_PX, 1.0 / 32.0) {
+        if self.kind == RunKind::Texels {
+            let part = if along > 0.0 { 3.0 / 8.0 } else { 1.0 / 4.0 };
+            let px = (nearness * part / along.abs()).min(LONGEST_TEXELS_PX);
+            if px >= SHORTEST_TEXELS_PX {
+                return (px / 4.0).floor() * 4.0;
+            }
+        }
+        let cut_out = self.kind == RunKind::CutOut;
+        if !cut_out && fits(LONGEST_RUN_PX, 1.0 / 32.0) {
             return LONGEST_RUN_PX;
         }
-        let (mut px, part) = if self.cut_out {
+        let (mut px, part) = if cut_out {
             (16.0, 1.0 / 32.0)
         } else {
             (32.0, 1.0 / 4.0)

@@ -4,11 +4,14 @@
 use fixel::shade::Lighting;
 use fixel::vertex::ScreenVertex;
 
-use crate::bend::{bend, levels_differ};
+use crate::bend::{bend, levels_differ, textures_bend};
 use crate::kernel::{Lights, Surface};
 use crate::seen::Seen;
-use crate::span::{LONGEST_RUN_PX, RunPx};
+use crate::span::{LONGEST_RUN_PX, LONGEST_TEXELS_PX, RunKind, RunPx};
 use crate::term::{Term, Work};
+
+/// Columns of triangles that textures are had pixel by pixel for.
+const WIDEST_PX: f64 = 32.0;
 
 impl Surface {
     /// Counts a triangle under lights, of a mesh that is tinted or not.
@@ -19,22 +22,35 @@ impl Surface {
         (lights, tinted): (Lights, bool),
         perspective: bool,
     ) {
-        if self.is_shaded(corners, lights, perspective) {
+        let shaded = self.is_shaded((seen, corners), lights, perspective);
+        if shaded {
             self.shaded(work, seen);
         } else {
+            let kind = match self.is_texels() {
+                _ if self.cut_out => RunKind::CutOut,
+                true => RunKind::Texels,
+                false => RunKind::Any,
+            };
             let runs = if perspective {
-                let longest = RunPx::new(corners, self.cut_out);
+                let longest = RunPx::new(corners, kind);
                 seen.runs(|middle| longest.at(middle))
+            } else if kind == RunKind::Texels {
+                seen.runs(|_| LONGEST_TEXELS_PX)
             } else {
                 seen.runs(|_| LONGEST_RUN_PX)
             };
             self.runs(work, seen, runs, perspective);
         }
-        self.pixels(work, seen, (lights, tinted));
+        self.pixels(work, seen, (lights, tinted), shaded);
     }
 
     /// Whether a triangle is drawn pixel by pixel.
-    fn is_shaded(&self, corners: [&ScreenVertex; 3], lights: Lights, perspective: bool) -> bool {
+    fn is_shaded(
+        &self,
+        (seen, corners): (&Seen, [&ScreenVertex; 3]),
+        lights: Lights,
+        perspective: bool,
+    ) -> bool {
         let full = f64::from(255 << 6);
         let most = match self.lighting {
             Lighting::Face => 0.0,
@@ -45,10 +61,35 @@ impl Surface {
             Lighting::Pixel => 0.0,
         };
         let bent = perspective && bend(corners, most);
-        !self.textured && !bent
+        // Nobody is told here how large texels are.
+        let texels =
+            seen.width < WIDEST_PX && !self.cut_out && !(perspective && textures_bend(corners));
+        !bent && (texels || !self.textured)
     }
 
     fn shaded(&self, work: &mut Work, seen: &Seen) {
+        if self.copies {
+            work.add(Term::CopiesShaded, 1.0);
+        }
+        if self.is_texels() {
+            work.add(Term::TexelShaded, 1.0);
+            work.add(Term::TexelShadedRow, seen.rows);
+            work.add(Term::TexelShadedPx, seen.px);
+            work.add(Term::TexelShadedPxInFront, seen.in_front);
+            return;
+        }
+        if self.textured {
+            let attributes = match self.lighting {
+                Lighting::Pixel => 11.0,
+                _ => 8.0,
+            };
+            work.add(Term::TexturedShaded, 1.0);
+            work.add(Term::TexturedShadedAttribute, attributes);
+            work.add(Term::TexturedShadedRow, seen.rows);
+            work.add(Term::TexturedShadedPx, seen.px);
+            work.add(Term::TexturedShadedPxInFront, self.shown(seen));
+            return;
+        }
         let attributes = match self.lighting {
             Lighting::Pixel => 9.0,
             _ => 3.0,
@@ -104,7 +145,7 @@ impl Surface {
     }
 
     /// What is done at a surface's pixels, however its attributes get there.
-    fn pixels(&self, work: &mut Work, seen: &Seen, (lights, tinted): (Lights, bool)) {
+    fn pixels(&self, work: &mut Work, seen: &Seen, (lights, tinted): (Lights, bool), shaded: bool) {
         let shown = self.shown(seen);
         let by_face = self.lighting == Lighting::Face;
         let lit = match self.lighting {
@@ -118,6 +159,9 @@ impl Surface {
         };
         lights.shine(work, what, lit, tinted);
         if self.is_texels() {
+            if shaded {
+                return;
+            }
             let texel = if by_face {
                 Term::FaceTexelPx
             } else {
@@ -144,6 +188,9 @@ impl Surface {
         }
         if self.blended {
             work.add(Term::BlendedPx, shown);
+            if self.fogged {
+                work.add(Term::FoggedBlendedPx, shown);
+            }
         }
         if self.door {
             work.add(Term::DoorPx, seen.px);

@@ -83,6 +83,12 @@ terms! {
     SmallFlatPxInFront,
     /// The same with a level a corner.
     SmallGouraudPxInFront,
+    /// A triangle of a pixel or two.
+    Tiny,
+    /// A pixel of the box around such a triangle.
+    TinyBoxPx,
+    /// A pixel of such a triangle.
+    TinyPx,
     /// A larger triangle of one colour.
     LargeFlat,
     /// The same with a level a corner.
@@ -129,6 +135,26 @@ terms! {
     ShadedPxAttribute,
     /// Such a pixel that is in front, but for what follows.
     ShadedPxInFront,
+    /// A triangle with a texture by colour whose pixels are shaded one by one.
+    TexturedShaded,
+    /// An attribute of one.
+    TexturedShadedAttribute,
+    /// A row of one.
+    TexturedShadedRow,
+    /// A pixel of one.
+    TexturedShadedPx,
+    /// Such a pixel that is in front, but for light and texel.
+    TexturedShadedPxInFront,
+    /// A triangle of texels by level whose pixels are shaded one by one.
+    TexelShaded,
+    /// A row of one.
+    TexelShadedRow,
+    /// A pixel of one.
+    TexelShadedPx,
+    /// Such a pixel that is in front.
+    TexelShadedPxInFront,
+    /// A triangle of either kind that has smaller copies of its texture.
+    CopiesShaded,
     /// A triangle with any few attributes, in runs.
     SurfaceTriangle,
     /// An attribute of such a triangle.
@@ -181,6 +207,8 @@ terms! {
     DitheredPx,
     /// A pixel mixed with what is behind it.
     BlendedPx,
+    /// Of these, one that fog lies over.
+    FoggedBlendedPx,
     /// A pixel of a screen door.
     DoorPx,
     /// A vertex or a face lit with everything that the model of light has.

@@ -12,7 +12,7 @@ use crate::report::Tally;
 use crate::{board, parallel, paths, scene, toolchain};
 
 /// Boards that are held to it.
-const BOARDS: [&str; 2] = ["cortex-m4f", "cortex-m0plus"];
+const BOARDS: [&str; 3] = ["cortex-m4f", "cortex-m0plus", "riscv32imc"];
 /// Bands that are.
 const BANDS: [(&str, u32); 2] = [("instructions", ONE_BAND), ("instructions_bands16", 16)];
 /// The frame that is counted.

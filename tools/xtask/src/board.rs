@@ -47,15 +47,16 @@ pub struct Board {
     pub scene: &'static str,
 }
 
-/// One scene of each kind of inner loop: flat, Gouraud and textured spans, colours,
-/// fog with blending, the same without a palette, lines, and rays.
-const EVERY_KERNEL: [&str; 9] = [
+/// One scene of each kind of inner loop: flat, Gouraud and textured spans, textures pixel by
+/// pixel, colours, fog with blending, the same without a palette, lines, and rays.
+const EVERY_KERNEL: [&str; 10] = [
     "blend_fog",
     "direct_fog",
     "lines_markers_text",
     "many_actors",
     "r3_spheres_whitted",
     "spot",
+    "textured_mesh",
     "w1_teapot_flat",
     "w2_teapot_gouraud",
     "w4_cube_textured",
