@@ -253,14 +253,11 @@ fn kept(built: &Path, board: &str, scene: &scene::Baked, more: &str) -> Result<D
     Ok(Demo { path, image })
 }
 
-/// Boards whose firmware differs in its features alone do not overwrite each
-/// other's.
+/// Boards whose firmware differs in its features alone do not overwrite each other's, and those
+/// for other targets can be built meanwhile.
 fn target_folder(board: &Board) -> PathBuf {
-    let folder = paths::target_crate(board.folder).join("target");
-    match board.features {
-        Some(_) => folder.join(board.name),
-        None => folder,
-    }
+    let own = board.features.map_or(board.target, |_| board.name);
+    paths::target_crate(board.folder).join("target").join(own)
 }
 
 fn built(board: &Board, binary: &str) -> PathBuf {

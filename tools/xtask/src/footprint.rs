@@ -7,7 +7,7 @@ use crate::board::{self, BOARDS, Board};
 use crate::firmware::Parts;
 use crate::problem::Result;
 use crate::report::{Tally, table};
-use crate::{elf, emulator, firmware, measure, scene};
+use crate::{elf, emulator, firmware, measure, parallel, scene};
 
 /// Most static RAM and stack of the Cortex-M0+ demo, in bytes.
 const RAM_LIMIT: u64 = 32 * 1024;
@@ -124,43 +124,26 @@ impl Footprint {
 /// Builds the demo firmware of the boards that are not measured, and checks what it
 /// holds.
 pub fn of_others(tally: &mut Tally) {
-    for board in board::OTHERS.iter().filter(|board| board.is_elf()) {
+    let others = board::OTHERS.iter().filter(|board| board.is_elf());
+    let others: Vec<&Board> = others.collect();
+    parallel::check(tally, &others, |board, tally| {
         let demo = scene::bake(board.scene)
             .and_then(|baked| firmware::demo(board, &baked, Parts::All))
             .and_then(|demo| promises(&demo.image));
         tally.check(&format!("promises of {}", board.name), demo);
-    }
+    });
 }
 
 /// Builds the demo firmware of each case on every board, checks it, and runs it for
 /// its stack. Gives `{"case": {"board": {"code_bytes": n, ...}}}`.
 pub fn run(tally: &mut Tally) -> Result<Value> {
     let mut all: Map<String, Value> = Map::new();
-    for board in &BOARDS {
-        let mut known: Vec<(&Case, Footprint)> = Vec::new();
-        for case in &CASES {
-            let what = format!("footprint of {} on {}", case.name, board.name);
-            let result = one(board, case, tally);
-            let Some(footprint) = tally.need(&what, result) else {
-                continue;
-            };
-            tally.check(&what, limits(board, case, footprint));
-            let other = known.iter().find(|(other, _)| other.parts == case.parts);
-            if let Some((_, other)) = other {
-                let what = format!(
-                    "RAM does not grow with the mesh on {}, {}",
-                    board.name,
-                    case.parts.name()
-                );
-                tally.check(&what, independent_of_mesh(other, &footprint));
-            }
-            known.push((case, footprint));
+    let boards = parallel::check(tally, &BOARDS, of_board);
+    for (board, cases) in BOARDS.iter().zip(boards) {
+        for (case, footprint) in cases {
             let boards = all.entry(case.name).or_insert_with(|| json!({}));
             boards[board.name] = footprint.json();
         }
-        let code: Vec<(Parts, u64)> = known.iter().map(|(c, f)| (c.parts, f.code)).collect();
-        let what = format!("what is not used costs no flash on {}", board.name);
-        tally.check(&what, unused_is_not_linked(&code));
     }
     let (board, case) = &IN_A_SMALL_CHIP;
     let what = format!("footprint of {} on {}", case.name, board.name);
@@ -170,6 +153,33 @@ pub fn run(tally: &mut Tally) -> Result<Value> {
         all.insert(case.name.into(), json!({ board.name: footprint.json() }));
     }
     Ok(all.into())
+}
+
+/// What each case takes on a board.
+fn of_board(board: &Board, tally: &mut Tally) -> Vec<(&'static Case, Footprint)> {
+    let mut known: Vec<(&Case, Footprint)> = Vec::new();
+    for case in &CASES {
+        let what = format!("footprint of {} on {}", case.name, board.name);
+        let result = one(board, case, tally);
+        let Some(footprint) = tally.need(&what, result) else {
+            continue;
+        };
+        tally.check(&what, limits(board, case, footprint));
+        let other = known.iter().find(|(other, _)| other.parts == case.parts);
+        if let Some((_, other)) = other {
+            let what = format!(
+                "RAM does not grow with the mesh on {}, {}",
+                board.name,
+                case.parts.name()
+            );
+            tally.check(&what, independent_of_mesh(other, &footprint));
+        }
+        known.push((case, footprint));
+    }
+    let code: Vec<(Parts, u64)> = known.iter().map(|(c, f)| (c.parts, f.code)).collect();
+    let what = format!("what is not used costs no flash on {}", board.name);
+    tally.check(&what, unused_is_not_linked(&code));
+    known
 }
 
 fn one(board: &Board, case: &Case, tally: &mut Tally) -> Result<Footprint> {

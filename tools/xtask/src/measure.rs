@@ -12,7 +12,7 @@ use crate::firmware::{self, HostProfile};
 use crate::problem::{Problem, Result};
 use crate::report::Tally;
 use crate::scene::Baked;
-use crate::{child, emulator};
+use crate::{child, emulator, parallel};
 
 /// A run on the host that takes longer hangs.
 const HOST_LIMIT: Duration = Duration::from_secs(300);
@@ -90,12 +90,12 @@ impl Target {
 
 /// The boards of these names, ready; one that cannot be is counted as missing.
 pub fn boards(names: &[&str], what: &str, tally: &mut Tally) -> Vec<Ready> {
-    let ready = names.iter().filter_map(|name| {
+    let ready = parallel::check(tally, names, |name, tally| {
         let board = board::find(name).map_err(Problem::from);
         let ready = board.and_then(|board| Target::Board(board).prepare());
         tally.need(&format!("{what} on {name}"), ready)
     });
-    ready.collect()
+    ready.into_iter().flatten().collect()
 }
 
 /// A target with its program built.

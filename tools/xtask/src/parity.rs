@@ -43,13 +43,11 @@ fn frames(scene: &str, target: Target, rows: u32) -> std::ops::Range<u32> {
 /// target is one check, and so is the deepest stack of each target that is painted; gives
 /// `{"scene": {"target": "hash"}}`.
 pub fn run(tally: &mut Tally, targets: Vec<Target>, names: &[String]) -> Result<Value> {
-    let ready: Vec<Ready> = targets
-        .into_iter()
-        .filter_map(|target| {
-            let name = format!("parity on {}", target.name());
-            tally.need(&name, target.prepare())
-        })
-        .collect();
+    let ready = parallel::check(tally, &targets, |target, tally| {
+        let name = format!("parity on {}", target.name());
+        tally.need(&name, target.prepare())
+    });
+    let ready: Vec<Ready> = ready.into_iter().flatten().collect();
     let mut all = Map::new();
     let mut stacks = Stacks::default();
     for name in scene::named_or_all(names)? {

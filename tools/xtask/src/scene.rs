@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 use crate::paths;
 use crate::problem::{Problem, Result};
@@ -108,6 +109,9 @@ pub fn bake(name: &str) -> Result<Baked> {
     let source = file(name);
     let path = paths::work("scenes")?.join(format!("{}.fxl", self::name(&source)));
     let blob = blob(&source, by_rays(name))?;
+    /// Firmware with the same scene is built side by side.
+    static ALONE: Mutex<()> = Mutex::new(());
+    let _alone = ALONE.lock().map_err(|error| error.to_string())?;
     let same = fs::read(&path).is_ok_and(|old| old == blob);
     if !same {
         fixel_output::write(&path, &blob)?;

@@ -4,15 +4,15 @@ use std::env;
 use std::process::Command;
 use std::time::Instant;
 
-use crate::board::{self, BOARDS};
+use crate::board::{self, BOARDS, Board};
 use crate::device::DEVICES;
 use crate::measure::Target;
 use crate::problem::Result;
 use crate::report::Tally;
 use crate::{
     accepted, accuracy, child, examples, firmware, footprint, fuzz, gallery, gba, hostbench, links,
-    package, panels, parity, paths, picture, pictures, scene, small_chip, soak, supply, template,
-    toolchain, view, web,
+    package, panels, parallel, parity, paths, picture, pictures, scene, small_chip, soak, supply,
+    template, toolchain, view, web,
 };
 
 /// A stage: its name, and what it does.
@@ -291,17 +291,21 @@ fn firmware_lints(tally: &mut Tally) {
     let Some(scene) = tally.need("firmware lints", scene) else {
         return;
     };
-    let mut known = Vec::new();
+    let mut boards: Vec<&Board> = Vec::new();
     for board in board::all() {
         // The Cortex-M7 has the M4's firmware.
-        let firmware = (board.folder, board.target, board.features);
-        if known.contains(&firmware) {
-            continue;
+        let firmware = |board: &Board| (board.folder, board.target, board.features);
+        if !boards
+            .iter()
+            .any(|known| firmware(known) == firmware(board))
+        {
+            boards.push(board);
         }
-        known.push(firmware);
+    }
+    parallel::check(tally, &boards, |board, tally| {
         let name = format!("lints of targets/{} for {}", board.folder, board.name);
         tally.check(&name, firmware::clippy(board, &scene));
-    }
+    });
     for device in &DEVICES {
         let name = format!("lints of targets/{} for {}", device.folder, device.name);
         tally.check(&name, firmware::clippy_device(device, &scene));
@@ -310,14 +314,15 @@ fn firmware_lints(tally: &mut Tally) {
 
 /// Instruction counts are only worth something when they are exact.
 fn counter(tally: &mut Tally) {
-    for board in &BOARDS {
+    let boards: Vec<&'static Board> = BOARDS.iter().collect();
+    parallel::check(tally, &boards, |board, tally| {
         let name = format!("instruction counter of {}", board.name);
         let target = Target::Board(board);
         let loops = target.prepare().and_then(|ready| ready.counter_self_test());
         if let Some(loops) = tally.check(&name, loops) {
             eprintln!("      {loops} loops of known length, each exact");
         }
-    }
+    });
 }
 
 fn footprint_stage(tally: &mut Tally) {

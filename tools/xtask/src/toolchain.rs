@@ -185,6 +185,9 @@ fn rustup(arguments: &[&str]) -> bool {
 /// Makes sure that `cargo NAME` works, for a component of that name in rustup
 /// (`clippy`, or `rustfmt` for `cargo fmt`).
 pub fn component(subcommand: &str, component: &str) -> Result<()> {
+    /// One rustup runs at a time.
+    static ALONE: Mutex<()> = Mutex::new(());
+    let _alone = ALONE.lock().map_err(|error| error.to_string())?;
     let works = || {
         let mut command = Command::new("cargo");
         command
