@@ -21,8 +21,7 @@ pub struct SurfaceKind {
     pub attributes: usize,
     /// Whether runs say how the first two change from row to row.
     pub footprint: bool,
-    /// Whether attributes decide where the surface ends, so that they are to be four
-    /// times as exact.
+    /// Whether attributes decide where the surface ends, so that they are to be more exact.
     pub outlined: bool,
 }
 

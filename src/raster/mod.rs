@@ -14,12 +14,12 @@
 mod attribute;
 mod attributes;
 mod corners;
+mod cubic;
 mod edge;
 mod footprint;
 mod gradient;
 mod nearer;
 mod perspective;
-mod placed;
 mod run;
 mod scan;
 mod shaded;
@@ -32,9 +32,9 @@ mod tiny;
 mod triangle;
 
 pub use corners::{Corner, SurfaceKind};
+pub use cubic::{Cubic, FINE, Fours};
 pub use footprint::Footprint;
 pub use gradient::Gradient as Change;
-pub use placed::{FINE, Fours, Placed};
 pub use run::{LONGEST_RUN, MOST_ATTRIBUTES, Path, RUN_FRACTION, Run, Shade, Values};
 pub use shaded::{ShadePixel, draw_shaded};
 pub use span::Fill;

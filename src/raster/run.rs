@@ -1,7 +1,7 @@
 //! Pixels of a surface side by side, as a shader gets them.
 
+use super::cubic::Cubic;
 use super::footprint::Footprint;
-use super::placed::Placed;
 use crate::math::Depth;
 
 /// Attributes that a surface has at most.
@@ -30,17 +30,22 @@ pub trait Shade<const A: usize, C = u8> {
         false
     }
 
-    /// What [`Self::placed`] needs to know of pixels, from the first one's footprint and its change
+    /// Whether [`Self::cubic`] is worth asking.
+    #[inline(always)]
+    fn cubics(&self) -> bool {
+        false
+    }
+
+    /// What [`Self::cubic`] needs to know of pixels, from the first one's footprint and its change
     /// from pixel to pixel; and of how many of the first ones this is so, at least one.
     #[inline(always)]
     fn alike(&self, _footprint: &Footprint, _step: &Footprint, pixels: usize) -> (usize, usize) {
         (0, pixels)
     }
 
-    /// Draws pixels that are all seen and have their depths in place; `false` if they are to be
-    /// drawn as runs.
+    /// Draws pixels that go along cubics; `false` if they are to be drawn as runs.
     #[inline(always)]
-    fn placed(&self, _pixels: Placed<'_, A, C>) -> bool {
+    fn cubic(&self, _pixels: Cubic<'_, A, C>) -> bool {
         false
     }
 }

@@ -6,7 +6,7 @@
 //! screen. They are held in 64 bits, exact to 2^-28 of their largest value, and
 //! divided at the ends of runs so short that a parabola between does not show (after
 //! Heckbert and Moreton, "Interpolation for polygon texture mapping and shading",
-//! 1991), or a cubic where nothing is asked for pixel by pixel.
+//! 1991), or a cubic where a texel is all that is asked for.
 
 use super::corners::{Corner, Corners, SurfaceKind};
 use super::footprint::Footprint;

@@ -3,10 +3,10 @@
 use super::attribute::Attribute;
 use super::attributes::Attributes;
 use super::corners::{Corners, SurfaceKind};
+use super::cubic::LONGEST;
 use super::footprint::Footprint;
 use super::gradient::Plane;
 use super::nearer::put_nearer;
-use super::placed::LONGEST;
 use super::run::{LONGEST_RUN, MOST_ATTRIBUTES, Path, RUN_FRACTION, Run, Shade, Values};
 use super::scan::{Shape, Span, Stepped};
 use crate::frame::Stored;
@@ -146,26 +146,28 @@ impl<const A: usize> Surface<A> {
             mut depths,
             place: [mut left, row],
         } = span;
-        let z = &self.depth;
         let (mut from, mut footprint) = self.start(left - column);
         let mut seen = 0;
         if shade.solid() {
-            seen = put_nearer(depths, z.at(left - column), z.gradient.x);
-            if seen == indices.len() {
-                let drawn = self.placed(indices, [left, row], column, (&from, &footprint), shade);
-                (indices, depths) = match (indices.get_mut(drawn..), depths.get_mut(drawn..)) {
-                    (Some(rest), Some(rest_depths)) if !rest.is_empty() => (rest, rest_depths),
-                    _ => return,
-                };
-                if drawn != 0 {
-                    left += drawn as i32;
-                    seen -= drawn;
-                    (from, footprint) = self.start(left - column);
-                }
+            let (z, dz) = self.depth(left - column);
+            seen = put_nearer(depths, z, dz);
+        }
+        if shade.cubics() && (seen == indices.len() || !shade.solid()) {
+            let pixels = (&mut *indices, (!shade.solid()).then_some(&mut *depths));
+            let place = ([left, row], column);
+            let drawn = self.cubics(pixels, place, (&from, &footprint), shade);
+            (indices, depths) = match (indices.get_mut(drawn..), depths.get_mut(drawn..)) {
+                (Some(rest), Some(rest_depths)) if !rest.is_empty() => (rest, rest_depths),
+                _ => return,
+            };
+            if drawn != 0 {
+                left += drawn as i32;
+                seen = seen.saturating_sub(drawn);
+                (from, footprint) = self.start(left - column);
             }
         }
         loop {
-            let depth = (z.at(left - column), z.gradient.x);
+            let depth = self.depth(left - column);
             let last = indices.len() as i32 - 1;
             let pixels = self.run(&from).min(last);
             let to = self.here(left - column + pixels, &from);
@@ -197,13 +199,20 @@ impl<const A: usize> Surface<A> {
             left += drawn as i32;
             seen = seen.saturating_sub(drawn);
             if seen == 0 && shade.solid() {
-                seen = put_nearer(depths, z.at(left - column), z.gradient.x);
+                let (z, dz) = self.depth(left - column);
+                seen = put_nearer(depths, z, dz);
             }
             (from, footprint) = (to, next);
             if drawn as i32 != pixels {
                 (from, footprint) = self.start(left - column);
             }
         }
+    }
+
+    /// The depth `columns` to the right, 16.16, and its change a pixel.
+    #[inline(always)]
+    pub(super) fn depth(&self, columns: i32) -> (u32, i32) {
+        (self.depth.at(columns), self.depth.gradient.x)
     }
 
     /// What is `columns` to the right, and its footprint. There once: it is long.

@@ -8,7 +8,7 @@ use super::triangles::Triangle;
 use crate::frame::Stored;
 use crate::light::{Parts, sum};
 use crate::math::Depth;
-use crate::raster::{Corner, Footprint, Fours, MOST_ATTRIBUTES, Placed, Run, Shade};
+use crate::raster::{Corner, Cubic, Footprint, Fours, MOST_ATTRIBUTES, Run, Shade};
 use crate::scene::layout::{COLOURS, TEXTURE_SHADES};
 use crate::shade::{Blend, Lookup, Pixel, Sampler, ScreenDoor, Surface, on_texel};
 
@@ -102,12 +102,13 @@ impl<'a, P: Paint> Texels<'a, P> {
     ) -> impl Fn(i32, i32, u8) -> u8 + use<'a, A, P> {
         let (Runs { paint, ids, .. }, shades) = (&self.runs, self.shades);
         let (paint, ids, face) = (*paint, *ids, self.runs.face.get());
+        let outlined = self.sampler.texture.cut_out;
         move |number, level, base| {
             let pixel = Pixel {
                 lookup: Lookup::Texel(shades, base),
                 lit: if A > 2 { [level as u16; 3] } else { face.body },
                 place: [left + number, row],
-                texel: places.at(number),
+                texel: places.at(number, outlined),
             };
             paint.surface(&pixel, ids).index().unwrap_or_default()
         }
@@ -133,11 +134,20 @@ impl<const A: usize, P: Paint> Shade<A> for Texels<'_, P> {
     }
 
     #[inline(always)]
-    fn placed(&self, pixels: Placed<'_, A>) -> bool {
+    fn cubics(&self) -> bool {
+        self.sampler.has_cubics()
+    }
+
+    #[inline(always)]
+    fn cubic(&self, pixels: Cubic<'_, A>) -> bool {
         let Some(strip) = self.sampler.strip_of(&pixels) else {
             return false;
         };
-        strip.draw_all(pixels.indices, self.pixel::<A>(pixels.place, strip.places));
+        let shade = self.pixel::<A>(pixels.place, strip.places);
+        match pixels.depths {
+            Some(depths) => strip.draw_nearer(pixels.indices, depths, shade),
+            None => strip.draw_all(pixels.indices, shade),
+        }
         true
     }
 

@@ -2,8 +2,8 @@
 //! are not blended.
 
 use super::texture::{Copied, PLACE_BITS, Places, Sampler, coordinates};
-use crate::math::Depth;
-use crate::raster::{FINE, Fours, Placed, RUN_FRACTION, Run, Values};
+use crate::math::{Depth, keep_rolled};
+use crate::raster::{Cubic, FINE, Fours, RUN_FRACTION, Run, Values};
 use crate::scene::{NO_TEXEL, Wrap};
 
 /// A run's way through one copy of a texture, in the same period at both ends.
@@ -16,29 +16,27 @@ pub struct Strip<'a> {
     pub places: Fours<2>,
     /// The third attribute, if there is one.
     light: Fours<1>,
+    /// Whether texels are cut out: places go along parabolas then.
+    outlined: bool,
 }
+
+/// `log2` of the texels of the largest picture whose places have [`FINE`] bits more in the kernel,
+/// which long runs need: columns stand below the rows.
+const LARGEST: u8 = 32 - PLACE_BITS as u8 - FINE as u8;
 
 /// Fractional bits of a light level.
 const LIGHT_FRACTION: u32 = RUN_FRACTION + FINE;
 
-/// How much a way may bend a pixel where texels are cut out: a line of four pixels is off
-/// by half of it, a 2048th of a texel.
-const MOST_BEND: u32 = 1 << (PLACE_BITS - 10);
-
 impl<'a> Sampler<'a> {
     /// The way of a run whose first two attributes are texture coordinates; `None` if
-    /// it goes over an edge at which the texture does not go on by itself, or bends so
-    /// much that lines of four pixels would show at an outline. And how many of its pixels
-    /// show one copy of the picture.
+    /// it goes over an edge at which the texture does not go on by itself. And how many of its
+    /// pixels show one copy of the picture.
     #[inline(always)]
     pub fn strip<const A: usize>(&self, run: &Run<'_, A>) -> Option<(Strip<'a>, usize)> {
         let places = self.places(&run.path);
-        let bends = |bend: i32| bend.unsigned_abs() > MOST_BEND;
-        if self.texture.cut_out && places.bend.into_iter().any(bends) {
-            return None;
-        }
         let (copy, count) = self.copy(run);
-        let fours = places.in_fours();
+        let outlined = self.texture.cut_out;
+        let fours = places.in_fours(outlined);
         let last = count.saturating_sub(1) as i32;
         let light = Places {
             from: third(run.path.from),
@@ -49,14 +47,22 @@ impl<'a> Sampler<'a> {
             copy: *copy,
             way: self.within(fours, || [places.from, places.at(last)])?,
             places: fours,
-            light: light.in_fours(),
+            light: light.in_fours(false),
+            outlined,
         };
         Some((strip, count))
     }
 
-    /// The same of pixels that are all seen and show a copy of the picture.
+    /// Whether the kernel has room for all bits of cubics.
     #[inline(always)]
-    pub fn strip_of<const A: usize, C>(&self, pixels: &Placed<'_, A, C>) -> Option<Strip<'a>> {
+    pub fn has_cubics(&self) -> bool {
+        let [width, height] = self.texture.size;
+        width + height <= LARGEST
+    }
+
+    /// The same of pixels that go along cubics and show a copy of the picture.
+    #[inline(always)]
+    pub fn strip_of<const A: usize, C>(&self, pixels: &Cubic<'_, A, C>) -> Option<Strip<'a>> {
         let fours = self.places_in_fours(&pixels.fours);
         let ends = || {
             pixels
@@ -80,6 +86,7 @@ impl<'a> Sampler<'a> {
                 bend: third(bend),
                 twist: third(twist),
             },
+            outlined: self.texture.cut_out,
         })
     }
 
@@ -157,8 +164,8 @@ impl Cut {
         self.times(place, self.times)
     }
 
-    /// The same of what has [`FINE`] fractional bits more; there are as many more in those numbers,
-    /// as pictures are smaller than 2^14 texels.
+    /// The same of what has [`FINE`] fractional bits more, for which there is room in those numbers
+    /// if pictures are no larger than [`LARGEST`].
     #[inline(always)]
     fn both_fine(&self, place: [i32; 2]) -> [u32; 2] {
         self.times(place, self.times.map(|times| times >> FINE))
@@ -186,6 +193,8 @@ struct Cursor<'a> {
     step: [u32; 2],
     bend: [u32; 2],
     twist: [u32; 2],
+    /// As of [`Cut`].
+    rows: u32,
     columns: u32,
     down: u32,
     /// The third attribute with the same.
@@ -198,21 +207,39 @@ impl Strip<'_> {
     /// there is one), rounded, and the base colour, and gives the index.
     #[inline(always)]
     pub fn draw<const A: usize>(&self, run: Run<'_, A>, shade: impl Fn(i32, i32, u8) -> u8) {
-        let cursor = self.cursor();
         let (indices, depths, seen) = (run.indices, run.depths, run.seen);
-        let Some((placed, indices)) = indices.split_at_mut_checked(seen) else {
-            return;
-        };
-        if !placed.is_empty() {
-            cursor.draw_all(placed, &shade);
+        if seen == 0 {
+            return self.draw_nearer(indices, (depths, run.depth), shade);
         }
-        if let Some(depths) = depths.get_mut(seen..)
-            && !indices.is_empty()
+        let cursor = self.cursor();
+        let more = seen < indices.len();
+        cursor.draw_all(indices.get_mut(..seen).unwrap_or_default(), &shade);
+        // From the four on in which the last of those is: they are not nearer than themselves.
+        let seen = seen & !3;
+        if more
+            && let Some(indices) = indices.get_mut(seen..)
+            && let Some(depths) = depths.get_mut(seen..)
         {
             let (z, dz) = run.depth;
             let depth = (z.wrapping_add_signed(dz.wrapping_mul(seen as i32)), dz);
-            let shade = |number, level, texel| shade(number + seen as i32, level, texel);
-            draw(indices, depths, depth, &cursor.after(seen), shade);
+            let cursor = cursor.after(seen);
+            draw::<false>(indices, depths, depth, (&cursor, seen as i32), &shade);
+        }
+    }
+
+    /// Goes through pixels that are nearer than what stands there and show a texel.
+    #[inline(always)]
+    pub fn draw_nearer(
+        &self,
+        indices: &mut [u8],
+        (depths, depth): (&mut [Depth], (u32, i32)),
+        shade: impl Fn(i32, i32, u8) -> u8,
+    ) {
+        let cursor = self.cursor();
+        if self.outlined {
+            draw::<true>(indices, depths, depth, (&cursor, 0), &shade);
+        } else {
+            draw::<false>(indices, depths, depth, (&cursor, 0), &shade);
         }
     }
 
@@ -225,7 +252,12 @@ impl Strip<'_> {
     #[inline(always)]
     fn cursor(&self) -> Cursor<'_> {
         let cut = self.copy.cut;
-        let Cut { columns, down, .. } = cut;
+        let Cut {
+            rows,
+            columns,
+            down,
+            ..
+        } = cut;
         let Fours {
             from,
             step,
@@ -244,6 +276,7 @@ impl Strip<'_> {
             step: cut.both_fine(step),
             bend: cut.both_fine(bend),
             twist: cut.both_fine(twist),
+            rows,
             columns,
             down,
             light: [
@@ -254,12 +287,6 @@ impl Strip<'_> {
             ],
         }
     }
-}
-
-/// Keeps the compiler from unrolling a loop.
-#[inline(always)]
-fn keep_rolled() {
-    core::hint::black_box(());
 }
 
 impl Cursor<'_> {
@@ -319,6 +346,7 @@ fn texels(cursor: &Cursor<'_>, indices: &mut [u8], shade: impl Fn(i32, i32, u8) 
         columns,
         down,
         light: [mut light, mut change, mut turn, twist],
+        ..
     } = *cursor;
     // Whatever the shift leaves, it is below this: then there is no check, and no branch.
     let Some(last) = texels.len().checked_sub(1) else {
@@ -351,33 +379,38 @@ fn texels(cursor: &Cursor<'_>, indices: &mut [u8], shade: impl Fn(i32, i32, u8) 
     }
 }
 
-/// The kernel along a parabola: its loop wants all registers.
+/// The kernel for pixels that may be hidden, or show none of the picture: its loop wants all
+/// registers.
 #[inline(never)]
-fn draw(
+fn draw<const OUTLINED: bool>(
     indices: &mut [u8],
     depths: &mut [Depth],
     (mut z, dz): (u32, i32),
-    cursor: &Cursor<'_>,
-    shade: impl Fn(i32, i32, u8) -> u8,
+    (cursor, mut number): (&Cursor<'_>, i32),
+    shade: &impl Fn(i32, i32, u8) -> u8,
 ) {
     let Cursor {
         texels,
         at: [mut x, mut y],
         step: [mut dx, mut dy],
-        bend: [bx, by],
+        bend: [mut bx, mut by],
+        twist: [tx, ty],
+        rows,
         columns,
         down,
-        light: [mut light, mut change, turn, _],
-        ..
+        light: [mut light, mut change, mut turn, twist],
     } = *cursor;
+    // Whatever the shift leaves, it is below this: then there is no check.
+    let Some(last) = texels.len().checked_sub(1) else {
+        return;
+    };
     let (fours, indices) = indices.as_chunks_mut::<4>();
     let (four_depths, depths) = depths.as_chunks_mut::<4>();
-    let mut number = 0;
     let mut one = |pixel: &mut u8, depth: &mut Depth, [dx, dy]: [u32; 2], change: i32| {
         let here = (z >> 16) as Depth;
         if here > *depth {
             let texel = ((x ^ y) & columns ^ y) >> (down & 31);
-            if let Some(&texel) = texels.get(texel as usize)
+            if let Some(&texel) = texels.get(texel as usize & last)
                 && texel != NO_TEXEL
             {
                 *pixel = shade(number, light >> LIGHT_FRACTION, texel);
@@ -389,15 +422,60 @@ fn draw(
         light = light.wrapping_add(change);
         number += 1;
     };
+    // Of outlines the step changes by a quarter of the bend from pixel to pixel, so that four
+    // pixels are as long as a line.
+    let curve = |[dx, dy]: [u32; 2], [bx, by]: [u32; 2]| {
+        if !OUTLINED {
+            return Curve {
+                step: [dx, dy],
+                bend: [0; 2],
+            };
+        }
+        let eighths = [
+            (bx << (rows & 31)) as i32 >> ((rows + 3) & 31),
+            by as i32 >> 3,
+        ];
+        let [x, y] = eighths.map(|c| c as u32);
+        Curve {
+            step: [
+                dx.wrapping_sub(x.wrapping_mul(3)),
+                dy.wrapping_sub(y.wrapping_mul(3)),
+            ],
+            bend: [x << 1, y << 1],
+        }
+    };
     for ([a, b, c, d], [ad, bd, cd, dd]) in fours.iter_mut().zip(four_depths) {
-        one(a, ad, [dx, dy], change);
-        one(b, bd, [dx, dy], change);
-        one(c, cd, [dx, dy], change);
-        one(d, dd, [dx, dy], change);
+        let mut now = curve([dx, dy], [bx, by]);
+        one(a, ad, now.next(), change);
+        one(b, bd, now.next(), change);
+        one(c, cd, now.next(), change);
+        one(d, dd, now.next(), change);
         (dx, dy) = (dx.wrapping_add(bx), dy.wrapping_add(by));
         change = change.wrapping_add(turn);
+        // Others come in parabolas.
+        if OUTLINED {
+            (bx, by) = (bx.wrapping_add(tx), by.wrapping_add(ty));
+            turn = turn.wrapping_add(twist);
+        }
     }
+    let mut now = curve([dx, dy], [bx, by]);
     for (pixel, depth) in indices.iter_mut().zip(depths) {
-        one(pixel, depth, [dx, dy], change);
+        one(pixel, depth, now.next(), change);
+    }
+}
+
+/// Steps of four pixels, and how they change.
+struct Curve {
+    step: [u32; 2],
+    bend: [u32; 2],
+}
+
+impl Curve {
+    /// The next one.
+    #[inline(always)]
+    fn next(&mut self) -> [u32; 2] {
+        let ([x, y], [turn_x, turn_y]) = (self.step, self.bend);
+        self.step = [x.wrapping_add(turn_x), y.wrapping_add(turn_y)];
+        [x, y]
     }
 }

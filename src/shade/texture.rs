@@ -71,9 +71,9 @@ impl<const N: usize> Places<N> {
     }
 
     /// The parabola as straight lines of four pixels each, which lie as much above it as
-    /// below.
+    /// below; of outlines as parabolas.
     #[inline(always)]
-    pub(super) fn in_fours(self) -> Fours<N> {
+    pub(super) fn in_fours(self, outlined: bool) -> Fours<N> {
         let mut fours = Fours {
             from: self.from,
             step: self.step,
@@ -86,7 +86,9 @@ impl<const N: usize> Places<N> {
             .zip(&mut fours.step)
             .zip(&mut fours.bend);
         for ((from, step), bend) in all {
-            *from = from.wrapping_sub(*bend).wrapping_sub(*bend >> 2);
+            if !outlined {
+                *from = from.wrapping_sub(*bend).wrapping_sub(*bend >> 2);
+            }
             *step = step.wrapping_add(*bend).wrapping_add(*bend >> 1) << FINE;
             *bend <<= 2 + FINE;
         }

@@ -9,7 +9,7 @@ use super::{BOTH, raw};
 use fixel::frame::Band;
 use fixel::math::SUBPX_BITS;
 use fixel::raster::{
-    Corner, FINE, Footprint, MOST_ATTRIBUTES, Placed, RUN_FRACTION, Run, Shade, SurfaceKind,
+    Corner, Cubic, FINE, Footprint, MOST_ATTRIBUTES, RUN_FRACTION, Run, Shade, SurfaceKind,
     draw_surface,
 };
 use fixel::vertex::ScreenVertex;
@@ -17,6 +17,7 @@ use fixel::vertex::ScreenVertex;
 /// Wider than the longest run.
 const SIZE: (u16, u16) = (240, 60);
 const COUNT: usize = 3;
+const DEPTH: u32 = 30_000;
 
 /// A pixel and the attributes that its run has there.
 struct Seen {
@@ -33,9 +34,26 @@ struct Seeing {
     seen: RefCell<Vec<Seen>>,
     /// Draws at most so many pixels of a run.
     most: usize,
+    how: How,
+}
+
+/// How a triangle is drawn.
+#[derive(Clone, Copy, Debug, Default)]
+struct How {
     solid: bool,
-    /// How many pixels are in common at most, if they are drawn whole.
+    outlined: bool,
+    /// How many pixels are in common at most, if they go along cubics.
     alike: Option<usize>,
+}
+
+/// Any of them.
+fn hows() -> impl Strategy<Value = How> {
+    let alike = prop::option::of(prop_oneof![Just(usize::MAX), 1..240_usize]);
+    (any::<bool>(), any::<bool>(), alike).prop_map(|(solid, outlined, alike)| How {
+        solid,
+        outlined,
+        alike,
+    })
 }
 
 const ONE: f64 = (1 << RUN_FRACTION) as f64;
@@ -55,7 +73,9 @@ impl Shade<MOST_ATTRIBUTES> for Seeing {
                 place: [column + number as i32, row],
                 values: all.map(|[from, step, bend]| from + step * t + bend * t * (t - 1.0) / 2.0),
                 // The bound of the parabola between a run's ends.
-                off: all.map(|[_, step, _]| step.abs() * length as f64 / 150.0),
+                off: all.map(|[_, step, _]| {
+                    step.abs() * length as f64 / if self.how.outlined { 9600.0 } else { 150.0 }
+                }),
                 alone: length == 1,
             });
         }
@@ -63,23 +83,29 @@ impl Shade<MOST_ATTRIBUTES> for Seeing {
     }
 
     fn solid(&self) -> bool {
-        self.solid
+        self.how.solid
+    }
+
+    fn cubics(&self) -> bool {
+        self.how.alike.is_some()
     }
 
     fn alike(&self, _: &Footprint, _: &Footprint, pixels: usize) -> (usize, usize) {
-        (7, self.alike.map_or(pixels, |most| pixels.min(most)))
+        (7, self.how.alike.map_or(pixels, |most| pixels.min(most)))
     }
 
-    fn placed(&self, pixels: Placed<'_, MOST_ATTRIBUTES>) -> bool {
-        if self.alike.is_none() {
-            return false;
-        }
+    fn cubic(&self, pixels: Cubic<'_, MOST_ATTRIBUTES>) -> bool {
         assert_eq!(pixels.alike, 7);
         let length = pixels.indices.len() as i32;
         let [column, row] = pixels.place;
+        assert_eq!(pixels.depths.is_none(), self.how.solid);
+        if let Some((depths, depth)) = &pixels.depths {
+            assert_eq!(depths.len(), pixels.indices.len());
+            assert_eq!(*depth, (DEPTH << 16 | 1 << 15, 0));
+        }
         let [from, to] = pixels.ends;
         for number in 0..length {
-            let at = pixels.fours.at(number);
+            let at = pixels.fours.at(number, self.how.outlined);
             self.seen.borrow_mut().push(Seen {
                 place: [column + number, row],
                 values: std::array::from_fn(|i| f64::from(at[i]) / ONE),
@@ -96,7 +122,8 @@ impl Shade<MOST_ATTRIBUTES> for Seeing {
                     } else {
                         0.0
                     };
-                    change.abs() / 2500.0 + bend.abs().max(last.abs()) / 2.0 + line
+                    let cubic = if self.how.outlined { 100_000.0 } else { 2500.0 };
+                    change.abs() / cubic + bend.abs().max(last.abs()) / 2.0 + line
                 }),
                 alone: false,
             });
@@ -105,11 +132,12 @@ impl Shade<MOST_ATTRIBUTES> for Seeing {
     }
 }
 
-/// What is seen, run by run or as far as `alike` says, with at most so many pixels of a run.
+/// What is seen, with at most so many pixels of a run.
 fn drawn(
     vertices: &[ScreenVertex; 3],
     corners: [Corner<MOST_ATTRIBUTES>; 3],
-    (most, alike): (usize, Option<usize>),
+    most: usize,
+    how: How,
 ) -> Vec<Seen> {
     let pixels = usize::from(SIZE.0) * usize::from(SIZE.1);
     let (mut index, mut depth) = (vec![0; pixels], vec![0; pixels]);
@@ -118,14 +146,13 @@ fn drawn(
     target.clear(|_| 0);
     let kind = SurfaceKind {
         attributes: COUNT,
-        footprint: alike.is_some(),
-        outlined: false,
+        footprint: how.alike.is_some(),
+        outlined: how.outlined,
     };
     let seeing = Seeing {
         seen: RefCell::new(Vec::new()),
         most,
-        solid: alike.is_some(),
-        alike,
+        how,
     };
     draw_surface(
         &mut target,
@@ -189,9 +216,9 @@ proptest! {
         distances in distances(),
         values in prop::array::uniform3(prop::array::uniform3(-(1 << 15)..=1 << 15)),
         most in prop_oneof![Just(usize::MAX), 1..9_usize],
-        alike in prop::option::of(prop_oneof![Just(usize::MAX), 1..240_usize]),
+        how in hows(),
     ) {
-        let vertices = places.map(|(x, y)| raw(x, y, 30_000 << 4, 0));
+        let vertices = places.map(|(x, y)| raw(x, y, DEPTH << 4, 0));
         let corner = |i: usize| {
             let mut attributes = [0; MOST_ATTRIBUTES];
             attributes[..COUNT].copy_from_slice(&values[i].map(|v| v << RUN_FRACTION));
@@ -200,9 +227,9 @@ proptest! {
         let corners = [corner(0), corner(1), corner(2)];
         let slender = slenderness(&vertices);
         let nearest = f64::from(*distances.iter().min().expect("three"));
-        let all = drawn(&vertices, corners, (most, alike));
+        let all = drawn(&vertices, corners, most, how);
         let places = |all: &[Seen]| all.iter().map(|seen| seen.place).collect::<Vec<_>>();
-        prop_assert_eq!(places(&all), places(&drawn(&vertices, corners, (usize::MAX, None))));
+        prop_assert_eq!(places(&all), places(&drawn(&vertices, corners, usize::MAX, How::default())));
         for seen in all {
             let (area, weights) = weights(&vertices, seen.place);
             let near: [f64; 3] = std::array::from_fn(|i| weights[i] / f64::from(distances[i]));

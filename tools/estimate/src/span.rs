@@ -43,7 +43,7 @@ pub(crate) fn first_centre(place: f64) -> i32 {
 
 /// Pixels of a surface's longest run.
 pub(crate) const LONGEST_RUN_PX: f64 = 64.0;
-/// The same of texels of which nothing is cut out, and their shortest.
+/// The same of texels, and their shortest.
 pub(crate) const LONGEST_TEXELS_PX: f64 = 128.0;
 const SHORTEST_TEXELS_PX: f64 = 8.0;
 
@@ -65,8 +65,8 @@ pub(crate) enum RunKind {
     Any,
     /// Along parabolas that show at outlines.
     CutOut,
-    /// Along cubics.
-    Texels,
+    /// Along cubics, with outlines or without.
+    Texels { cut_out: bool },
 }
 
 impl RunPx {
@@ -90,14 +90,23 @@ impl RunPx {
         let ([ax, ay], [along, down]) = (self.corner, self.change);
         let nearness = self.nearness + along * (x - ax) + down * (y - ay);
         let fits = |px: f64, part: f64| along.abs() * px <= nearness * part;
-        if self.kind == RunKind::Texels {
-            let part = if along > 0.0 { 3.0 / 8.0 } else { 1.0 / 4.0 };
+        if let RunKind::Texels { cut_out } = self.kind {
+            let part = if cut_out {
+                1.0 / 16.0
+            } else if along > 0.0 {
+                3.0 / 8.0
+            } else {
+                1.0 / 4.0
+            };
             let px = (nearness * part / along.abs()).min(LONGEST_TEXELS_PX);
             if px >= SHORTEST_TEXELS_PX {
                 return (px / 4.0).floor() * 4.0;
             }
         }
-        let cut_out = self.kind == RunKind::CutOut;
+        let cut_out = matches!(
+            self.kind,
+            RunKind::CutOut | RunKind::Texels { cut_out: true }
+        );
         if !cut_out && fits(LONGEST_RUN_PX, 1.0 / 32.0) {
             return LONGEST_RUN_PX;
         }

@@ -26,15 +26,16 @@ impl Surface {
         if shaded {
             self.shaded(work, seen);
         } else {
+            let cut_out = self.cut_out;
             let kind = match self.is_texels() {
-                _ if self.cut_out => RunKind::CutOut,
-                true => RunKind::Texels,
+                true => RunKind::Texels { cut_out },
+                false if cut_out => RunKind::CutOut,
                 false => RunKind::Any,
             };
             let runs = if perspective {
                 let longest = RunPx::new(corners, kind);
                 seen.runs(|middle| longest.at(middle))
-            } else if kind == RunKind::Texels {
+            } else if self.is_texels() {
                 seen.runs(|_| LONGEST_TEXELS_PX)
             } else {
                 seen.runs(|_| LONGEST_RUN_PX)

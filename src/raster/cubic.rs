@@ -1,5 +1,5 @@
-//! Spans of surfaces that are all seen, with their depths in place: in runs that are longer than
-//! others, along cubics.
+//! Spans of surfaces that are asked for a texel a pixel, and no more: in runs that are longer than others,
+//! along cubics. Those that hide all that is behind them come here if they are all seen.
 //!
 //! With r = (N1 - N0) / N1 of nearness at a run's ends, an attribute has gone
 //! t + t (1 - t) r / (1 - (1 - t) r) of its change after the part t of the run. What is near to that:
@@ -8,18 +8,20 @@
 //! t + t (1 - t) (p - q t)        p = r + r^2 + 0.848 r^3 + 0.631 r^4        q = r p
 //! ```
 //!
-//! It is off by less than a 2500th if r is in -1/3..3/11. The factors are fitted; q = r p makes it
-//! the same from either end.
+//! It is off by less than a 2500th if r is in -1/3..3/11, and than a 100,000th in -1/15..1/17. The
+//! factors are fitted (the first two are 0.9986 for the wider range); q = r p makes it the same from
+//! either end.
 
 use super::footprint::Footprint;
 use super::run::{Shade, Values};
 use super::surface_planes::{Here, OVER, Surface};
-use crate::math::mul_high;
+use crate::math::{Depth, mul_high};
 
 /// Fractional bits that changes of [`Fours`] have more than what changes.
 pub const FINE: u32 = 2;
 
-/// Attributes of pixels side by side, along lines of four pixels.
+/// Attributes of pixels side by side, along lines of four pixels; where an outline is cut out by
+/// the first two, those go along parabolas of four.
 #[derive(Clone, Copy, Debug)]
 pub struct Fours<const N: usize> {
     /// Of the first pixel.
@@ -33,9 +35,9 @@ pub struct Fours<const N: usize> {
 }
 
 impl<const N: usize> Fours<N> {
-    /// Those of the `number`th pixel, modulo `2^(32 - FINE)`.
+    /// Those of the `number`th pixel, modulo `2^(32 - FINE)`; of outlines the first two.
     #[inline(always)]
-    pub fn at(&self, number: i32) -> Values<N> {
+    pub fn at(&self, number: i32, outlined: bool) -> Values<N> {
         let (fours, rest) = (number >> 2, number & 3);
         // Of the numbers below, and of their sums.
         let pairs = (fours * (fours - 1)) >> 1;
@@ -46,17 +48,25 @@ impl<const N: usize> Fours<N> {
             let steps = step.wrapping_mul(number);
             let bends = bend.wrapping_mul(4 * pairs + fours * rest);
             let twists = twist.wrapping_mul(4 * triples + pairs * rest);
-            *at = at.wrapping_add(steps.wrapping_add(bends).wrapping_add(twists) >> FINE);
+            let mut change = steps.wrapping_add(bends).wrapping_add(twists);
+            if outlined {
+                let bend = bend.wrapping_add(twist.wrapping_mul(fours));
+                change = change.wrapping_add((bend >> 3).wrapping_mul(rest * (rest - 4)));
+            }
+            *at = at.wrapping_add(change >> FINE);
         }
         at
     }
 }
 
-/// Pixels side by side that are all seen and have their depths in place.
+/// Pixels side by side whose attributes go along cubics.
 #[derive(Debug)]
-pub struct Placed<'t, const A: usize, C = u8> {
+pub struct Cubic<'t, const A: usize, C = u8> {
     /// Palette indices, or what else is [`Stored`](crate::frame::Stored).
     pub indices: &'t mut [C],
+    /// Depths, as many, with that of the first pixel, 16.16, and its change a pixel; none if all
+    /// are in place already.
+    pub depths: Option<(&'t mut [Depth], (u32, i32))>,
     /// Screen column and row of the first pixel.
     pub place: [i32; 2],
     /// Attributes of the first one, and of the last or the one after it.
@@ -74,14 +84,13 @@ pub(super) const LONGEST: i32 = 128;
 const FEWEST: i32 = 8;
 
 impl<const A: usize> Surface<A> {
-    /// Draws pixels of a span that are all seen and have their depths in place; says how many
-    /// of the first ones.
+    /// Draws pixels of a span, as far as that goes along cubics; says how many of the first ones.
+    /// `depths` are none if all are in place.
     #[inline(never)]
-    pub(super) fn placed<C>(
+    pub(super) fn cubics<C>(
         &self,
-        mut indices: &mut [C],
-        [mut left, row]: [i32; 2],
-        column: i32,
+        (mut indices, mut depths): (&mut [C], Option<&mut [Depth]>),
+        ([mut left, row], column): ([i32; 2], i32),
         (from, footprint): (&Here<A>, &Footprint),
         shade: &impl Shade<A, C>,
     ) -> usize {
@@ -104,14 +113,25 @@ impl<const A: usize> Surface<A> {
                 let Some((here, rest)) = all.split_at_mut_checked(count) else {
                     return drawn;
                 };
-                let run = Placed {
+                let depths = depths.as_deref_mut().map(|depths| {
+                    let depths = depths.get_mut(drawn..drawn + count).unwrap_or_default();
+                    (depths, self.depth(left - column))
+                });
+                let mut fours = self.fours(&from, &to, pixels);
+                if self.kind.outlined {
+                    // Parabolas start where they are.
+                    let exact = fours.from.iter_mut().zip(from.values);
+                    exact.take(2).for_each(|(at, exact)| *at = exact);
+                }
+                let run = Cubic {
                     indices: here,
+                    depths,
                     place: [left, row],
                     ends: [from.values, to.values],
-                    fours: self.fours(&from, &to, pixels),
+                    fours,
                     alike,
                 };
-                if !shade.placed(run) {
+                if !shade.cubic(run) {
                     return drawn;
                 }
                 left += count as i32;
@@ -126,7 +146,7 @@ impl<const A: usize> Surface<A> {
         drawn
     }
 
-    /// What pixels to a span's end have in common for [`Shade::placed`], and how many of the first
+    /// What pixels to a span's end have in common for [`Shade::cubic`], and how many of the first
     /// ones.
     #[inline(always)]
     fn alike<C>(
@@ -151,14 +171,16 @@ impl<const A: usize> Surface<A> {
     }
 
     /// How many pixels a cubic is good for, in whole fours: nearness grows by less than 3/8 or
-    /// shrinks by less than a quarter.
+    /// shrinks by less than a quarter; of outlines by less than a 16th either way.
     #[inline(always)]
     fn reach(&self, here: &Here<A>) -> i32 {
         if !self.perspective {
             return LONGEST;
         }
         let mut room = here.nearness >> 2;
-        if self.nearness.x > 0 {
+        if self.kind.outlined {
+            room >>= 2;
+        } else if self.nearness.x > 0 {
             room += room >> 1;
         }
         let over = self.over_change;
@@ -215,11 +237,15 @@ impl<const A: usize> Surface<A> {
         if pixels < 4 || !self.perspective {
             return [0; 2];
         }
-        // 16 fractional bits, but for 17 of this and 31 of `over`.
-        let short = (over + (1 << 13)) >> 14;
         let nearer = to.nearness.wrapping_sub(from.nearness) as i32;
         let high = mul_high(nearer, to.recip.mantissa);
-        let ratio = ((high << ((to.recip.shift + 1) & 31) >> 14) + 1) >> 1;
+        let ratio = high << ((to.recip.shift + 1) & 31);
+        if self.kind.outlined {
+            return fine_parts(ratio, over);
+        }
+        // 16 fractional bits, but for 17 of this and 31 of `over`.
+        let short = (over + (1 << 13)) >> 14;
+        let ratio = ((ratio >> 14) + 1) >> 1;
         let times = |a: i32, b: i32| a.wrapping_mul(b) >> 16;
         let sum = times(ratio, 41364) + 55580;
         let sum = times(ratio, times(ratio, sum) + 65442) + 65448;
@@ -231,4 +257,21 @@ impl<const A: usize> Surface<A> {
         let twist = (q.wrapping_mul(short) >> 14).wrapping_mul(3 * short);
         [bend, twist].map(|part| mul_high(part, over) << 4)
     }
+}
+
+/// The same for outlines, where nearness changes less, which leaves room for two bits more: from r
+/// and 1 / pixels, 31 fractional bits both.
+#[inline(never)]
+fn fine_parts(ratio: i32, over: i32) -> [i32; 2] {
+    // 18 fractional bits.
+    let ratio = ((ratio >> 12) + 1) >> 1;
+    let times = |a: i32, b: i32| a.wrapping_mul(b) >> 18;
+    let sum = times(ratio, 41364) + 55580;
+    let sum = times(ratio, times(ratio, sum) + (1 << 16)) + (1 << 16);
+    let p = ratio.wrapping_mul(sum) >> 16;
+    let q = times(ratio, p);
+    // Of long runs a shorter number than `over` has too few bits.
+    let bend = mul_high((q - 2 * p) << 13, over) << 3;
+    let twist = mul_high(3 * mul_high(q << 17, over), over) << 7;
+    [mul_high(bend, over) << 4, mul_high(twist, over)]
 }
