@@ -6,10 +6,12 @@
     reason = "levels, colours and places in textures, which raster holds in range; tests stop at overflow"
 )]
 
+mod cut;
 mod lookup;
 mod small_texture;
 mod strip;
 mod surface;
+mod texels;
 mod texture;
 mod transparency;
 

@@ -1,7 +1,8 @@
 //! A texture over a triangle of few columns, without runs. What is linear on the screen is a
 //! place times nearness; there is no division at a pixel, since nearness differs by little.
 
-use super::texture::{PLACE_BITS, Picture, Sampler, coordinates};
+use super::cut::PLACE_BITS;
+use super::texture::{Picture, Sampler, coordinates};
 use crate::math::{keep_rolled, reciprocal};
 use crate::raster::{Change, RUN_FRACTION};
 use crate::scene::{NO_TEXEL, Texture, Wrap};

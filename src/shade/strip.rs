@@ -1,10 +1,12 @@
-//! Runs of texels that need no wrapping pixel by pixel: the kernel for textures that
-//! are not blended.
+//! Runs of texels that need no wrapping pixel by pixel: their ways through one copy of a texture,
+//! from attributes to what the kernels step.
 
-use super::texture::{Copied, PLACE_BITS, Places, Sampler, coordinates};
-use crate::math::{Depth, keep_rolled};
-use crate::raster::{Cubic, FINE, Fours, RUN_FRACTION, Run, Values};
-use crate::scene::{NO_TEXEL, Wrap};
+use super::cut::{Cut, LARGEST, PLACE_BITS};
+use super::texels::{Cursor, LIGHT_FRACTION, draw};
+use super::texture::{Copied, Places, Sampler, coordinates};
+use crate::math::Depth;
+use crate::raster::{Cubic, FINE, Fours, Run, Values};
+use crate::scene::Wrap;
 
 /// A run's way through one copy of a texture, in the same period at both ends.
 #[derive(Clone, Copy, Debug)]
@@ -19,13 +21,6 @@ pub struct Strip<'a> {
     /// Whether texels are cut out: places go along parabolas then.
     outlined: bool,
 }
-
-/// `log2` of the texels of the largest picture whose places have [`FINE`] bits more in the kernel,
-/// which long runs need: columns stand below the rows.
-const LARGEST: u8 = 32 - PLACE_BITS as u8 - FINE as u8;
-
-/// Fractional bits of a light level.
-const LIGHT_FRACTION: u32 = RUN_FRACTION + FINE;
 
 impl<'a> Sampler<'a> {
     /// The way of a run whose first two attributes are texture coordinates; `None` if
@@ -130,77 +125,6 @@ fn third<const A: usize>(values: Values<A>) -> [i32; 1] {
     [values.get(2).copied().unwrap_or(0)]
 }
 
-/// From places in the picture to a number that has a texel's in its highest bits. Rows
-/// wrap above, columns are cut out below them, so what repeats does so by itself.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Cut {
-    /// What places are multiplied by: texels of the picture to 2^32 a picture.
-    times: [u32; 2],
-    /// A right shift of columns to below the rows.
-    rows: u32,
-    /// The bits of the column and of what is below it.
-    columns: u32,
-    /// A right shift to a texel's number.
-    down: u32,
-}
-
-impl Cut {
-    /// For a copy of a picture, both with `log2` of their sizes.
-    pub fn new([w, h]: [u32; 2], [width, height]: [u32; 2]) -> Self {
-        let whole = 32 - PLACE_BITS as u32;
-        // A shift by 32, for a copy of one texel, does not exist: its places are all 0.
-        let some = u32::from(w + h != 0);
-        Self {
-            times: [width, height].map(|size| some << (whole - size)),
-            rows: h,
-            columns: u32::MAX >> h,
-            down: (32 - w - h).min(31),
-        }
-    }
-
-    /// From a place, or a change of one, to numbers that a texel's is made of.
-    #[inline(always)]
-    fn both(&self, place: [i32; 2]) -> [u32; 2] {
-        self.times(place, self.times)
-    }
-
-    /// The same of what has [`FINE`] fractional bits more, for which there is room in those numbers
-    /// if pictures are no larger than [`LARGEST`].
-    #[inline(always)]
-    fn both_fine(&self, place: [i32; 2]) -> [u32; 2] {
-        self.times(place, self.times.map(|times| times >> FINE))
-    }
-
-    #[inline(always)]
-    fn times(&self, [x, y]: [i32; 2], [across, along]: [u32; 2]) -> [u32; 2] {
-        let x = (x as u32).wrapping_mul(across) >> (self.rows & 31);
-        [x, (y as u32).wrapping_mul(along)]
-    }
-
-    /// The number of the texel at a place.
-    #[inline(always)]
-    pub(super) fn texel(&self, place: [i32; 2]) -> usize {
-        let [x, y] = self.both(place);
-        (((x ^ y) & self.columns ^ y) >> (self.down & 31)) as usize
-    }
-}
-
-/// What the kernel steps.
-struct Cursor<'a> {
-    texels: &'a [u8],
-    at: [u32; 2],
-    /// As of [`Fours`].
-    step: [u32; 2],
-    bend: [u32; 2],
-    twist: [u32; 2],
-    /// As of [`Cut`].
-    rows: u32,
-    columns: u32,
-    down: u32,
-    /// The third attribute with the same.
-    light: [i32; 4],
-}
-
 impl Strip<'_> {
     /// Goes through the pixels of a run that are nearer than what stands there and show
     /// a texel. `shade` gets the pixel's number in the run, the third attribute (if
@@ -286,196 +210,5 @@ impl Strip<'_> {
                 twist_of_light,
             ],
         }
-    }
-}
-
-impl Cursor<'_> {
-    /// The kernel where every pixel is seen, and depths are in place: with them as well,
-    /// half of its numbers would find no register.
-    #[inline(always)]
-    fn draw_all(&self, indices: &mut [u8], shade: &impl Fn(i32, i32, u8) -> u8) {
-        let [light, change, turn, twist] = self.light;
-        if change | turn | twist == 0 {
-            // As on flat sides.
-            let level = light >> LIGHT_FRACTION;
-            texels(self, indices, |number, _, texel| {
-                shade(number, level, texel)
-            });
-        } else {
-            texels(self, indices, shade);
-        }
-    }
-
-    /// After some pixels of a parabola: whole fours.
-    #[inline(always)]
-    fn after(&self, pixels: usize) -> Self {
-        let fours = (pixels / 4) as u32;
-        // Of the first n fours' steps, the sum of 0..n.
-        let bends = (fours * fours.wrapping_sub(1)) >> 1;
-        let along = |at: u32, step: u32, bend: u32| {
-            let steps = step
-                .wrapping_mul(fours)
-                .wrapping_add(bend.wrapping_mul(bends));
-            (
-                at.wrapping_add(steps << 2),
-                step.wrapping_add(bend.wrapping_mul(fours)),
-            )
-        };
-        let ([x, y], [dx, dy], [bx, by]) = (self.at, self.step, self.bend);
-        let ((x, dx), (y, dy)) = (along(x, dx, bx), along(y, dy, by));
-        let [light, change, turn, twist] = self.light;
-        let (light, change) = along(light as u32, change as u32, turn as u32);
-        Self {
-            at: [x, y],
-            step: [dx, dy],
-            light: [light as i32, change as i32, turn, twist],
-            ..*self
-        }
-    }
-}
-
-/// A function of its own, whose loop wants all registers.
-#[inline(never)]
-fn texels(cursor: &Cursor<'_>, indices: &mut [u8], shade: impl Fn(i32, i32, u8) -> u8) {
-    let Cursor {
-        texels,
-        at: [mut x, mut y],
-        step: [mut dx, mut dy],
-        bend: [mut bx, mut by],
-        twist: [tx, ty],
-        columns,
-        down,
-        light: [mut light, mut change, mut turn, twist],
-        ..
-    } = *cursor;
-    // Whatever the shift leaves, it is below this: then there is no check, and no branch.
-    let Some(last) = texels.len().checked_sub(1) else {
-        return;
-    };
-    let mut number = 0;
-    let mut one = |pixel: &mut u8, [dx, dy]: [u32; 2], change: i32| {
-        let texel = ((x ^ y) & columns ^ y) >> (down & 31);
-        if let Some(&texel) = texels.get(texel as usize & last) {
-            *pixel = shade(number, light >> LIGHT_FRACTION, texel);
-        }
-        (x, y) = (x.wrapping_add(dx), y.wrapping_add(dy));
-        light = light.wrapping_add(change);
-        number += 1;
-    };
-    let (fours, rest) = indices.as_chunks_mut::<4>();
-    for [a, b, c, d] in fours {
-        one(a, [dx, dy], change);
-        one(b, [dx, dy], change);
-        one(c, [dx, dy], change);
-        one(d, [dx, dy], change);
-        (dx, dy) = (dx.wrapping_add(bx), dy.wrapping_add(by));
-        (bx, by) = (bx.wrapping_add(tx), by.wrapping_add(ty));
-        change = change.wrapping_add(turn);
-        turn = turn.wrapping_add(twist);
-    }
-    for pixel in rest {
-        one(pixel, [dx, dy], change);
-        keep_rolled();
-    }
-}
-
-/// The kernel for pixels that may be hidden, or show none of the picture: its loop wants all
-/// registers.
-#[inline(never)]
-fn draw<const OUTLINED: bool>(
-    indices: &mut [u8],
-    depths: &mut [Depth],
-    (mut z, dz): (u32, i32),
-    (cursor, mut number): (&Cursor<'_>, i32),
-    shade: &impl Fn(i32, i32, u8) -> u8,
-) {
-    let Cursor {
-        texels,
-        at: [mut x, mut y],
-        step: [mut dx, mut dy],
-        bend: [mut bx, mut by],
-        twist: [tx, ty],
-        rows,
-        columns,
-        down,
-        light: [mut light, mut change, mut turn, twist],
-    } = *cursor;
-    // Whatever the shift leaves, it is below this: then there is no check.
-    let Some(last) = texels.len().checked_sub(1) else {
-        return;
-    };
-    let (fours, indices) = indices.as_chunks_mut::<4>();
-    let (four_depths, depths) = depths.as_chunks_mut::<4>();
-    let mut one = |pixel: &mut u8, depth: &mut Depth, [dx, dy]: [u32; 2], change: i32| {
-        let here = (z >> 16) as Depth;
-        if here > *depth {
-            let texel = ((x ^ y) & columns ^ y) >> (down & 31);
-            if let Some(&texel) = texels.get(texel as usize & last)
-                && texel != NO_TEXEL
-            {
-                *pixel = shade(number, light >> LIGHT_FRACTION, texel);
-                *depth = here;
-            }
-        }
-        z = z.wrapping_add_signed(dz);
-        (x, y) = (x.wrapping_add(dx), y.wrapping_add(dy));
-        light = light.wrapping_add(change);
-        number += 1;
-    };
-    // Of outlines the step changes by a quarter of the bend from pixel to pixel, so that four
-    // pixels are as long as a line.
-    let curve = |[dx, dy]: [u32; 2], [bx, by]: [u32; 2]| {
-        if !OUTLINED {
-            return Curve {
-                step: [dx, dy],
-                bend: [0; 2],
-            };
-        }
-        let eighths = [
-            (bx << (rows & 31)) as i32 >> ((rows + 3) & 31),
-            by as i32 >> 3,
-        ];
-        let [x, y] = eighths.map(|c| c as u32);
-        Curve {
-            step: [
-                dx.wrapping_sub(x.wrapping_mul(3)),
-                dy.wrapping_sub(y.wrapping_mul(3)),
-            ],
-            bend: [x << 1, y << 1],
-        }
-    };
-    for ([a, b, c, d], [ad, bd, cd, dd]) in fours.iter_mut().zip(four_depths) {
-        let mut now = curve([dx, dy], [bx, by]);
-        one(a, ad, now.next(), change);
-        one(b, bd, now.next(), change);
-        one(c, cd, now.next(), change);
-        one(d, dd, now.next(), change);
-        (dx, dy) = (dx.wrapping_add(bx), dy.wrapping_add(by));
-        change = change.wrapping_add(turn);
-        // Others come in parabolas.
-        if OUTLINED {
-            (bx, by) = (bx.wrapping_add(tx), by.wrapping_add(ty));
-            turn = turn.wrapping_add(twist);
-        }
-    }
-    let mut now = curve([dx, dy], [bx, by]);
-    for (pixel, depth) in indices.iter_mut().zip(depths) {
-        one(pixel, depth, now.next(), change);
-    }
-}
-
-/// Steps of four pixels, and how they change.
-struct Curve {
-    step: [u32; 2],
-    bend: [u32; 2],
-}
-
-impl Curve {
-    /// The next one.
-    #[inline(always)]
-    fn next(&mut self) -> [u32; 2] {
-        let ([x, y], [turn_x, turn_y]) = (self.step, self.bend);
-        self.step = [x.wrapping_add(turn_x), y.wrapping_add(turn_y)];
-        [x, y]
     }
 }

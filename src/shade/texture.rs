@@ -1,12 +1,9 @@
 //! Texels.
 
-use super::strip::Cut;
+use super::cut::{Cut, PLACE_BITS};
 use crate::raster::{FINE, Footprint, Fours, Path, RUN_FRACTION, Run};
 use crate::scene::layout::BASES;
 use crate::scene::{Coordinates, NO_TEXEL, Scene, Texture, Wrap};
-
-/// Fractional bits of a place in a texture.
-pub(super) const PLACE_BITS: i32 = 16;
 
 /// A coordinate has 16 bits, an attribute so many more.
 const FRACTION: i32 = RUN_FRACTION as i32;
@@ -40,7 +37,7 @@ pub(super) struct Copied<'a> {
     pub texels: &'a [u8],
     /// `log2` of its size.
     pub size: [u32; 2],
-    /// From places in the picture to a texel's number, see [`Strip`](super::Strip).
+    /// From places in the picture to a texel's number, see [`Cut`].
     pub cut: Cut,
 }
 
